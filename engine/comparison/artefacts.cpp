@@ -63,7 +63,7 @@ bool before(const ComparisonArtefact& a, const ComparisonArtefact& b) {
 }  // namespace
 
 std::vector<ComparisonArtefact> artefacts_of(const std::string& structure, const Grid& grid, const Field& field,
-                                      const std::vector<Defect>& defects) {
+                                             const std::vector<Defect>& defects) {
   struct Gathered {
     const Defect* first = nullptr;
     glm::dvec3 sum{0};

@@ -27,7 +27,7 @@ struct ComparisonArtefact {
 
 /// One a face, by kind (cracks, non-manifold, misoriented). The place is the middle of the face's defects.
 std::vector<ComparisonArtefact> artefacts_of(const std::string& structure, const Grid& grid, const Field& field,
-                                      const std::vector<Defect>& defects);
+                                             const std::vector<Defect>& defects);
 
 /// One an edge, of any mesh.
 std::vector<ComparisonArtefact> artefacts_of(const std::string& structure, const SurfaceMesh& mesh);

@@ -109,8 +109,9 @@ void DbPipeline::thin_out(ComparisonDecimation decimation, const Progress& progr
   }
 }
 
-std::shared_ptr<const ComparisonResult> DbPipeline::look_at(const ComparisonOptions& options, std::vector<ComparisonStage> ran,
-                                                     const Progress& progress) const {
+std::shared_ptr<const ComparisonResult> DbPipeline::look_at(const ComparisonOptions& options,
+                                                            std::vector<ComparisonStage> ran,
+                                                            const Progress& progress) const {
   auto result = std::make_shared<ComparisonResult>();
   result->options = options;
   result->ran = std::move(ran);
@@ -157,7 +158,9 @@ std::shared_ptr<const ComparisonResult> DbPipeline::run(const ComparisonOptions&
       done_[at(stage)] = true;
       ran.push_back(stage);
     };
-    once(ComparisonStage::grid, [&] { grid_ = make_grid(sorted_, {options.grid, options.grid, {}}, structures_.size()); });
+    once(ComparisonStage::grid, [&] {
+      grid_ = make_grid(sorted_, {options.grid, options.grid, {}}, structures_.size());
+    });
     once(ComparisonStage::field, [&] { make_fields(options.field, progress); });
     once(ComparisonStage::surface, [&] { make_surfaces(options.cases, progress); });
     once(ComparisonStage::decimation, [&] { thin_out(options.decimation, progress); });

@@ -62,8 +62,8 @@ struct ComparisonResult {
   std::shared_ptr<const Pickable> pickable;  // never null
   std::vector<ComparisonStructure> structures;
   std::vector<ComparisonArtefact>
-      artefacts;              // cracks first, then non-manifold edges, then misoriented ones far apart from each other
-  double spacing_mm = 1;      // of the grid, the larger of x and y
+      artefacts;          // cracks first, then non-manifold edges, then misoriented ones far apart from each other
+  double spacing_mm = 1;  // of the grid, the larger of x and y
   std::vector<ComparisonStage> ran;  // that this run had to do; empty if nothing had changed
 
   std::size_t triangles() const;
@@ -86,7 +86,7 @@ class DbPipeline {
   void make_surfaces(CaseTable cases, const Progress& progress);
   void thin_out(ComparisonDecimation decimation, const Progress& progress);
   std::shared_ptr<const ComparisonResult> look_at(const ComparisonOptions& options, std::vector<ComparisonStage> ran,
-                                           const Progress& progress) const;
+                                                  const Progress& progress) const;
   void forget_from(ComparisonStage stage);
 
   std::shared_ptr<const ContourStack> stack_;

@@ -113,9 +113,9 @@ ComparisonOptions db_in(const Json& json, const std::string& path, const std::st
                                                    {"classic-unoriented", CaseTable::classic_unoriented},
                                                    {"consistent", CaseTable::consistent}});
   options.decimation = object.word<ComparisonDecimation>("decimate", {{"none", ComparisonDecimation::none},
-                                                               {"half", ComparisonDecimation::half},
-                                                               {"tenth", ComparisonDecimation::tenth},
-                                                               {"most", ComparisonDecimation::most}});
+                                                                      {"half", ComparisonDecimation::half},
+                                                                      {"tenth", ComparisonDecimation::tenth},
+                                                                      {"most", ComparisonDecimation::most}});
   return options;
 }
 
@@ -205,7 +205,8 @@ ArtefactLesson parse_artefact_lesson(std::string_view bytes, const std::string& 
   return lesson;
 }
 
-std::optional<double> quantity_of(const ComparisonResult& result, std::string_view quantity, std::string_view structure) {
+std::optional<double> quantity_of(const ComparisonResult& result, std::string_view quantity,
+                                  std::string_view structure) {
   std::optional<double> value;
   for (const ComparisonStructure& one : result.structures) {
     if (!structure.empty() && one.structure != structure) continue;

@@ -69,7 +69,8 @@ inline ArtefactLesson artefact_lesson() { return parse_artefact_lesson(lesson_te
 /// "triangles", "cracks" (boundary edges), "misoriented", "nonmanifold" (edges), "pieces" (shells), "lowest_mm",
 /// "ridges_mm", "median_angle_deg" (median over the triangles of their smallest angle; the least of the structures);
 /// empty if there is no such quantity or structure.
-std::optional<double> quantity_of(const ComparisonResult& result, std::string_view quantity, std::string_view structure);
+std::optional<double> quantity_of(const ComparisonResult& result, std::string_view quantity,
+                                  std::string_view structure);
 bool holds(const Claim& claim, const ComparisonResult& result);
 
 }  // namespace odontoscope

@@ -19,8 +19,9 @@ namespace odontoscope::testing_support {
 namespace {
 
 using Stages = std::vector<ComparisonStage>;
-constexpr ComparisonStage grid = ComparisonStage::grid, field = ComparisonStage::field, surface = ComparisonStage::surface,
-                   decimation = ComparisonStage::decimation, inspection = ComparisonStage::inspection;
+constexpr ComparisonStage grid = ComparisonStage::grid, field = ComparisonStage::field,
+                          surface = ComparisonStage::surface, decimation = ComparisonStage::decimation,
+                          inspection = ComparisonStage::inspection;
 
 std::shared_ptr<const ContourStack> molar() {
   static const auto stack =

@@ -9,8 +9,8 @@
 #include <glm/trigonometric.hpp>
 
 #include "engine/headset/eye_painter.h"
+#include "engine/headset_viewer/headset_texture.h"
 #include "engine/picture/png.h"
-#include "engine/ui/headset_texture.h"
 #include "engine/view/offscreen.h"
 #include "tests/headset/drawing.h"
 #include "tests/headset/worlds.h"

@@ -9,7 +9,7 @@
 #include "engine/navigate/notes.h"
 #include "engine/picture/png.h"
 #include "engine/scene/scene_json.h"
-#include "engine/ui/settings.h"
+#include "engine/viewer/settings.h"
 #include "recon/core/read_file.h"
 #include "recon/exchange/read_csl.h"
 #include "recon/exchange/read_jser.h"

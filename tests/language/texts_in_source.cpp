@@ -126,9 +126,10 @@ std::set<std::string> texts_of_viewer(const std::filesystem::path& source) {
   std::vector<std::filesystem::path> files{source / "engine/comparison/artefacts.cpp"};
   const std::set<std::string> aside{
       "settings.cpp", "file_list.cpp"};  // names of keys and endings, and what is told on the terminal, too
-  for (const auto& entry : std::filesystem::directory_iterator(source / "engine/ui"))
-    if (entry.path().extension() == ".cpp" && !aside.contains(entry.path().filename().string()))
-      files.push_back(entry.path());
+  for (const char* room : {"engine/ui", "engine/viewer", "engine/headset_viewer"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(source / room))
+      if (entry.path().extension() == ".cpp" && !aside.contains(entry.path().filename().string()))
+        files.push_back(entry.path());
   std::set<std::string> texts;
   static const std::regex words("[A-Za-z]{2}");
   for (const std::filesystem::path& file : files)

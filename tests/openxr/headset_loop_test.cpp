@@ -1,6 +1,6 @@
 // The viewer's window while its model is in the headset: what a person does at the desk meanwhile, and a runtime that
 // misbehaves. Each case runs in a process of its own on a display in memory.
-#include "engine/ui/headset_loop.h"
+#include "engine/headset_viewer/headset_loop.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "engine/ui/window_loop.h"
 #include "engine/view/offscreen.h"
+#include "engine/viewer/window_loop.h"
 #include "tests/openxr/fake_runtime.h"
 #include "tests/render/shapes.h"
 // Last: it would bring another OpenGL along.

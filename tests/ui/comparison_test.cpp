@@ -5,7 +5,7 @@
 
 #include "engine/navigate/screen.h"
 #include "engine/picture/compare.h"
-#include "engine/ui/lab_panel.h"
+#include "engine/viewer/compare/compare_panel.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/sample/sample_tooth.h"
 #include "tests/ui/driver.h"
@@ -47,7 +47,7 @@ class Lab : public ViewerTest {
     size_ = {900, 640};
     viewer_with_tooth({.load = [](const LoadRequest&, const Progress&) { return molar(); }});
   }
-  ComparisonState& lab() { return viewer().state().lab; }
+  ComparisonState& compared() { return mode<CompareMode>().state(); }
   /// From the menu, where it is the last of the lessons.
   void begin_lesson() {
     type(U'g');
@@ -57,10 +57,10 @@ class Lab : public ViewerTest {
   void wait_until_made() {
     for (int i = 0; i < 6000; ++i) {
       frame(0);
-      if (lab().made && lab().made->options == lab().wanted) break;
+      if (compared().made && compared().made->options == compared().wanted) break;
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
-    ASSERT_TRUE(lab().made && lab().made->options == lab().wanted);
+    ASSERT_TRUE(compared().made && compared().made->options == compared().wanted);
     frames(3);
   }
   void settle() { frames(9, 0.06); }
@@ -81,7 +81,7 @@ double share_that_differs(const Image& a, const Image& b, const Area& area) {
 TEST_F(Lab, OneKeyLeadsInAndOutAgain) {
   const Scene before = viewer().state().scene;
   type(U'd');
-  EXPECT_TRUE(lab().on);
+  EXPECT_TRUE(compared().on);
   EXPECT_EQ(viewer().panes().size(), 1u);  // DT stays until DB is ready
   EXPECT_FALSE(viewer().panes()[0].db);
   keep_picture("lab-making");
@@ -93,17 +93,17 @@ TEST_F(Lab, OneKeyLeadsInAndOutAgain) {
   EXPECT_EQ(viewer().state().scene.back_faces, BackFaces::cull);
   keep_picture("lab-both");
   type(U'd');
-  EXPECT_FALSE(lab().on);
+  EXPECT_FALSE(compared().on);
   EXPECT_EQ(viewer().panes().size(), 1u);
   EXPECT_EQ(viewer().state().scene, before);
 }
 
 TEST_F(Lab, ThePanelHasAButtonForIt) {
   click_control("Compare with DB (D)");
-  EXPECT_TRUE(lab().on);
+  EXPECT_TRUE(compared().on);
   wait_until_made();
   click_control("Split", {"layout"});
-  EXPECT_EQ(lab().layout, ComparisonLayout::split);
+  EXPECT_EQ(compared().layout, ComparisonLayout::split);
   click_control("DT", {"layout"});
   frame();
   ASSERT_EQ(viewer().panes().size(), 1u);
@@ -111,13 +111,13 @@ TEST_F(Lab, ThePanelHasAButtonForIt) {
   click_control("Two-sided", {"lab faces"});
   EXPECT_EQ(viewer().state().scene.back_faces, BackFaces::show);
   click_control("Leave DB mode (D)");
-  EXPECT_FALSE(lab().on);
+  EXPECT_FALSE(compared().on);
 }
 
 TEST_F(Lab, IsOnlyForWhatHasContours) {
   viewer_with_tooth();  // three balls that came from nowhere
   type(U'd');
-  EXPECT_FALSE(lab().on);
+  EXPECT_FALSE(compared().on);
   ASSERT_FALSE(viewer().state().notices.empty());
   EXPECT_NE(viewer().state().notices[0].words.find("contours"), std::string::npos);
 }
@@ -126,7 +126,7 @@ TEST_F(Lab, IsOnlyForWhatHasContours) {
 TEST_F(Lab, HolesOfTheUnorientedTableVanishWhenBothSidesAreDrawn) {
   type(U'd');
   wait_until_made();
-  ASSERT_EQ(lab().made->options.cases, CaseTable::classic_unoriented);
+  ASSERT_EQ(compared().made->options.cases, CaseTable::classic_unoriented);
   const Area dt = viewer().panes()[0].area, db = viewer().panes()[1].area;
   frames(4);
   const Image culled = picture();
@@ -139,7 +139,7 @@ TEST_F(Lab, HolesOfTheUnorientedTableVanishWhenBothSidesAreDrawn) {
   // A table whose cases are turned over has no such holes.
   type(U'b');
   type(U'b');
-  lab().wanted.cases = CaseTable::consistent;
+  compared().wanted.cases = CaseTable::consistent;
   wait_until_made();
   const Image oriented = picture();
   type(U'b');
@@ -158,7 +158,7 @@ TEST_F(Lab, ASplitViewShowsWhatEachMethodShowsInPlace) {
   ASSERT_TRUE(viewer().panes()[0].db);
   const Image db = picture();
   keep_picture("lab-in-place");
-  lab().layout = ComparisonLayout::split;
+  compared().layout = ComparisonLayout::split;
   frames(3);
   const Image split = picture();
   keep_picture("lab-split");
@@ -189,42 +189,43 @@ TEST_F(Lab, LinkedCamerasTurnTogether) {
   EXPECT_EQ(viewer().panes()[0].camera, viewer().panes()[1].camera);
   // What is pointed at is the method's that one points at.
   move(right.left + right.width / 2, 250);  // the crown
-  EXPECT_TRUE(viewer().state().under_pointer);
+  EXPECT_TRUE(viewer().pointing().hit);
 }
 
 TEST_F(Lab, ASliderRunsOnlyWhatItTouchesWhileThePictureStays) {
   type(U'd');
   wait_until_made();
-  const auto first = lab().made;
+  const auto first = compared().made;
   EXPECT_EQ(first->ran.size(), 5u);
   click_control("Consistent", {"cases"});
   frame();
-  EXPECT_EQ(lab().made, first);  // until the next is ready
+  EXPECT_EQ(compared().made, first);  // until the next is ready
   EXPECT_EQ(viewer().panes().size(), 2u);
   wait_until_made();
-  EXPECT_EQ(lab().made->ran, (std::vector{ComparisonStage::surface, ComparisonStage::decimation, ComparisonStage::inspection}));
-  EXPECT_EQ(lab().made->cracks() + lab().made->misoriented(), 0u);
+  EXPECT_EQ(compared().made->ran,
+            (std::vector{ComparisonStage::surface, ComparisonStage::decimation, ComparisonStage::inspection}));
+  EXPECT_EQ(compared().made->cracks() + compared().made->misoriented(), 0u);
   click_control("1/10", {"decimation"});
   wait_until_made();
-  EXPECT_EQ(lab().made->ran, (std::vector{ComparisonStage::decimation, ComparisonStage::inspection}));
-  EXPECT_LT(lab().made->triangles(), first->triangles() / 9);
+  EXPECT_EQ(compared().made->ran, (std::vector{ComparisonStage::decimation, ComparisonStage::inspection}));
+  EXPECT_LT(compared().made->triangles(), first->triangles() / 9);
   const glm::dvec2 slider = control("Grid points across");
   drag(slider.x - 150, slider.y, slider.x - 190,
        slider.y);  // a run for each place that it passes, all but the last outdated
   wait_until_made();
-  EXPECT_LT(lab().made->options.grid, 64u);
-  EXPECT_EQ(lab().made->options.grid % 4, 0u);
+  EXPECT_LT(compared().made->options.grid, 64u);
+  EXPECT_EQ(compared().made->options.grid % 4, 0u);
 }
 
 TEST_F(Lab, FramesGoOnWhileItWorks) {
   type(U'd');
   wait_until_made();
   viewer().state().settings.panel = false;
-  lab().wanted.grid = 160;
+  compared().wanted.grid = 160;
   frame();
   int waited = 0;
-  for (; lab().working && waited < 100000; ++waited) {
-    EXPECT_EQ(lab().made->options.grid, 64u);
+  for (; compared().run.working && waited < 100000; ++waited) {
+    EXPECT_EQ(compared().made->options.grid, 64u);
     EXPECT_LT(viewer().wait_timeout(), 0.1);
     frame(0);
   }
@@ -234,39 +235,39 @@ TEST_F(Lab, FramesGoOnWhileItWorks) {
 
 TEST_F(Lab, TheNextArtefactIsFlownToAndExplained) {
   type(U'd');
-  lab().wanted.cases = CaseTable::classic;
+  compared().wanted.cases = CaseTable::classic;
   wait_until_made();
   const Camera before = viewer().state().scene.camera;
   type(U'n');
-  ASSERT_TRUE(lab().artefact);
+  ASSERT_TRUE(compared().artefact);
   EXPECT_EQ(viewer().wait_timeout(), 0);  // on its way
   settle();
-  const ComparisonArtefact& first = lab().made->artefacts[0];
+  const ComparisonArtefact& first = compared().made->artefacts[0];
   EXPECT_LT(glm::distance(viewer().state().scene.camera.target, first.at), 1e-6);
   EXPECT_GT(glm::distance(viewer().state().scene.camera.position, before.position), 1);
   EXPECT_TRUE(viewer().state().scene.overlays.edges);
-  const std::string words = in_words(first, lab().made->options.cases);
+  const std::string words = in_words(first, compared().made->options.cases);
   EXPECT_NE(words.find("Table classic:"), std::string::npos) << words;
   EXPECT_NE(words.find("crack"), std::string::npos) << words;
   keep_picture("lab-artefact");
   type(U'n');
   settle();
-  EXPECT_EQ(lab().artefact, 1u);
+  EXPECT_EQ(compared().artefact, 1u);
   type(U'v');
   type(U'v');
   settle();
-  EXPECT_EQ(lab().artefact, lab().made->artefacts.size() - 1);
+  EXPECT_EQ(compared().artefact, compared().made->artefacts.size() - 1);
   press_key(Key::escape);
-  EXPECT_FALSE(lab().artefact);
+  EXPECT_FALSE(compared().artefact);
   for (const Look& look : viewer().state().scene.looks) EXPECT_TRUE(look.visible);
 }
 
 TEST_F(Lab, WithoutArtefactsItSaysSo) {
   type(U'd');
-  lab().wanted.cases = CaseTable::consistent;
+  compared().wanted.cases = CaseTable::consistent;
   wait_until_made();
   type(U'n');
-  EXPECT_FALSE(lab().artefact);
+  EXPECT_FALSE(compared().artefact);
   ASSERT_FALSE(viewer().state().notices.empty());
   EXPECT_NE(viewer().state().notices.back().words.find("no artefact"), std::string::npos);
 }
@@ -286,28 +287,28 @@ TEST_F(Lab, TheLessonGoesStepByStep) {
   viewer_with_tooth(
       {.load = [](const LoadRequest&, const Progress&) { return load({}); }});  // its claims are of the sample as it is
   begin_lesson();
-  ASSERT_TRUE(lab().lesson);
-  const std::size_t steps = lab().lesson->steps.size();
+  ASSERT_TRUE(compared().lesson);
+  const std::size_t steps = compared().lesson->steps.size();
   press_key(Key::page_up);
-  EXPECT_EQ(lab().step, 0u);
+  EXPECT_EQ(compared().step, 0u);
   for (std::size_t i = 0; i < steps; ++i) {
-    const ArtefactLessonStep& step = lab().lesson->steps[i];
-    EXPECT_EQ(lab().step, i);
-    EXPECT_EQ(lab().wanted, step.db);
-    EXPECT_EQ(lab().layout, step.layout);
+    const ArtefactLessonStep& step = compared().lesson->steps[i];
+    EXPECT_EQ(compared().step, i);
+    EXPECT_EQ(compared().wanted, step.db);
+    EXPECT_EQ(compared().layout, step.layout);
     wait_until_made();
     settle();
-    EXPECT_EQ(lab().artefact.has_value(), step.at_artefact) << step.title;
-    for (const Claim& claim : step.claims) EXPECT_TRUE(holds(claim, *lab().made)) << step.title;
+    EXPECT_EQ(compared().artefact.has_value(), step.at_artefact) << step.title;
+    for (const Claim& claim : step.claims) EXPECT_TRUE(holds(claim, *compared().made)) << step.title;
     keep_picture("lesson-" + std::to_string(i + 1));
     press_key(Key::page_down);
   }
-  EXPECT_EQ(lab().step, steps - 1);
+  EXPECT_EQ(compared().step, steps - 1);
   press_key(Key::page_up);
-  EXPECT_EQ(lab().step, steps - 2);
+  EXPECT_EQ(compared().step, steps - 2);
   press_key(Key::escape);
-  EXPECT_FALSE(lab().lesson);
-  EXPECT_TRUE(lab().on);
+  EXPECT_FALSE(compared().lesson);
+  EXPECT_TRUE(compared().on);
 }
 
 /// With the model as the program makes it, whose dentine has its cavity as a part of its own.
@@ -318,7 +319,7 @@ TEST_F(Lab, TheCrackOfTheLessonIsLookedAtInBothHalves) {
   press_key(Key::page_down);
   wait_until_made();
   settle();
-  ASSERT_TRUE(lab().artefact);
+  ASSERT_TRUE(compared().artefact);
   ASSERT_EQ(viewer().panes().size(), 2u);
   keep_picture("lesson-crack");
   for (const ViewPane& pane : viewer().panes()) {
@@ -326,7 +327,7 @@ TEST_F(Lab, TheCrackOfTheLessonIsLookedAtInBothHalves) {
     for (const double across : {0.4, 0.6})
       for (const double down : {0.4, 0.6}) {
         move(pane.area.left + pane.area.width * across, pane.area.top + pane.area.height * down);
-        met += viewer().state().under_pointer.has_value();
+        met += viewer().pointing().hit.has_value();
       }
     EXPECT_GE(met, 3) << (pane.db ? "DB" : "DT");
   }
@@ -344,19 +345,19 @@ TEST_F(Lab, TheLessonLoadsTheSampleMolarFirst) {
   frame();
   wait_until_loaded();
   EXPECT_EQ(loaded, (std::vector<std::string>{"", "another.json", ""}));
-  EXPECT_TRUE(lab().lesson);
+  EXPECT_TRUE(compared().lesson);
 }
 
 TEST_F(Lab, AnotherModelEndsIt) {
   type(U'd');
-  lab().wanted.grid = 192;
+  compared().wanted.grid = 192;
   frames(2);
   viewer().open({});
   wait_until_loaded();
-  EXPECT_FALSE(lab().on);
-  EXPECT_FALSE(lab().made);
+  EXPECT_FALSE(compared().on);
+  EXPECT_FALSE(compared().made);
   type(U'd');
-  lab().wanted.grid = 32;
+  compared().wanted.grid = 32;
   wait_until_made();
 }
 
@@ -367,12 +368,12 @@ TEST_F(Lab, TroubleIsSaidAndThePictureStays) {
     return loaded;
   }});
   type(U'd');
-  for (int i = 0; i < 2000 && lab().trouble.empty(); ++i) {
+  for (int i = 0; i < 2000 && compared().trouble.empty(); ++i) {
     frame(0);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
-  EXPECT_NE(lab().trouble.find("slice 5"), std::string::npos) << lab().trouble;
-  EXPECT_FALSE(lab().working);
+  EXPECT_NE(compared().trouble.find("slice 5"), std::string::npos) << compared().trouble;
+  EXPECT_FALSE(compared().run.working);
   EXPECT_EQ(viewer().panes().size(), 1u);
   keep_picture("lab-trouble");
 }

@@ -10,11 +10,11 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <thread>
 
+#include "engine/headset_viewer/headset_loop.h"
+#include "engine/headset_viewer/headset_texture.h"
 #include "engine/picture/png.h"
-#include "engine/ui/headset_loop.h"
-#include "engine/ui/headset_texture.h"
-#include "engine/ui/window_loop.h"
 #include "engine/view/offscreen.h"
+#include "engine/viewer/window_loop.h"
 #include "tests/render/shapes.h"
 #include "tests/xr/monado.h"
 #include "tests/xr/validation.h"
