@@ -142,11 +142,11 @@ LoadedModel load(const LoadRequest& request, const Progress& progress, const Vie
   loaded.overlays = std::move(shown.overlays);
   loaded.values = std::move(shown.values);
   const bool whole_scene = !words.scene_file.empty();
-  loaded.camera_given =
+  loaded.given.camera =
       whole_scene || !words.camera_file.empty() || !words.view.empty() || words.zoom != 1 || words.parallel;
-  loaded.background_given = whole_scene || !words.background.empty();
-  loaded.looks_given = whole_scene || !words.opacity.empty() || !words.colour.empty();
-  loaded.back_faces_given = whole_scene || !words.back_faces.empty();
+  loaded.given.background = whole_scene || !words.background.empty();
+  loaded.given.looks = whole_scene || !words.opacity.empty() || !words.colour.empty();
+  loaded.given.back_faces = whole_scene || !words.back_faces.empty();
   return loaded;
 }
 

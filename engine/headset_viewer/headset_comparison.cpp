@@ -17,19 +17,14 @@ HeadsetComparison::HeadsetComparison(std::shared_ptr<const LoadedModel> loaded, 
 void HeadsetComparison::update(bool wanted) {
   if (made_ || !possible() || !trouble_.empty()) return;
   if (wanted && !worker_) {
-    worker_ = std::make_unique<DbWorker>(std::shared_ptr<const ContourStack>(loaded_, &loaded_->overlays.contours));
+    worker_ = worker_for(loaded_);
     worker_->want(options_);
   }
   if (!worker_) return;
   auto outcome = worker_->take();
   if (!outcome) return;
   made_ = std::move(outcome->result);
-  if (!outcome->trouble) return;
-  try {
-    std::rethrow_exception(outcome->trouble);
-  } catch (const std::exception& error) {
-    trouble_ = error.what();
-  }
+  if (outcome->trouble) trouble_ = words_for(outcome->trouble);
 }
 
 std::string HeadsetComparison::in_words() const {

@@ -5,9 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "engine/comparison/db_worker.h"
+#include "engine/viewer/compare/comparison_run.h"
 #include "engine/viewer/compare/comparison_state.h"
-#include "engine/viewer/loading.h"
 
 namespace odontoscope {
 
@@ -17,7 +16,7 @@ class HeadsetComparison {
   HeadsetComparison(std::shared_ptr<const LoadedModel> loaded, const ComparisonState& desktop);
 
   /// DB needs contours.
-  bool possible() const { return loaded_->overlays.contours.slices.size() >= 2; }
+  bool possible() const { return comparison_possible(*loaded_); }
   /// Once a frame. `wanted`: somebody wants to see DB; the first time that begins to make it.
   void update(bool wanted);
   /// Null until it is made.

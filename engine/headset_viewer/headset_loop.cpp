@@ -154,7 +154,7 @@ class HeadsetVisit {
     visit_ = advance_visit(std::move(visit_), frame.input, world, options_.comfort, frame.seconds);
     constexpr double pulse_seconds = 0.04;
     for (std::size_t i = 0; i < 2; ++i)
-      if (visit_.pulse[i] > 0) headset_->pulse(i, visit_.pulse[i], pulse_seconds);
+      if (visit_.hands.pulse[i] > 0) headset_->pulse(i, visit_.hands.pulse[i], pulse_seconds);
     texture_.update(visit_, frame.input, world,
                     {loaded_->title, comparison_->possible(), comparison_->in_words(), loaded_->certificate.headline,
                      mark_of(loaded_->certificate.verdict), loaded_->values && loaded_->greys},
@@ -174,8 +174,8 @@ class HeadsetVisit {
 
   /// DB where it is wanted and made; from inside it is not seen.
   void choose_model() {
-    comparison_->update(visit_.db);
-    const bool db = visit_.db && !visit_.cavity && comparison_->made();
+    comparison_->update(visit_.chosen.db);
+    const bool db = visit_.chosen.db && !visit_.cavity && comparison_->made();
     if (db != shows_db_) painter_->take(db ? comparison_->made()->model : loaded_->model);
     shows_db_ = db;
   }

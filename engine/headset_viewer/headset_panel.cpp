@@ -68,10 +68,10 @@ void grey_values(Visit& visit) {
 void outside(Visit& visit, const VisitWorld& world, const HeadsetPanelWords& words, const Interface& interface) {
   if (!words.certificate.empty()) widgets::marked(interface, words.mark, words.certificate);
   structures(visit);
-  int method = visit.db ? 1 : 0;
+  int method = visit.chosen.db ? 1 : 0;
   if (words.db_possible && widgets::choice("method", method, {"DT", "DB"}))
     ask(visit, method == 1 ? VisitAction::show_db : VisitAction::show_dt);
-  if (words.db_possible && visit.db && !words.db.empty()) say(words.db);
+  if (words.db_possible && visit.chosen.db && !words.db.empty()) say(words.db);
   if (words.volume_possible) grey_values(visit);
   int faces = static_cast<int>(visit.scene.back_faces);
   if (widgets::choice("back faces", faces, {"Cull", "Two-sided", "Tint"}))
@@ -87,11 +87,12 @@ void where(Visit& visit, const VisitWorld& world, const HeadsetPanelWords& words
   widgets::wrapped(where_in_words(words.title, space, place));
   if (place) say(measured_in_words(space, *place));
   say(fmt::format("Everything is {:.0f} times enlarged.", visit.stage.magnification));
-  widgets::toggle("Names", visit.labels);
-  widgets::toggle("Depth on the walls", visit.wall_depth);
-  int travel = static_cast<int>(visit.travel);
+  widgets::toggle("Names", visit.chosen.labels);
+  widgets::toggle("Depth on the walls", visit.chosen.wall_depth);
+  int travel = static_cast<int>(visit.chosen.travel);
   say("The trigger");
-  if (widgets::choice("travel", travel, {"glides there", "leaps there"})) visit.travel = static_cast<Travel>(travel);
+  if (widgets::choice("travel", travel, {"glides there", "leaps there"}))
+    visit.chosen.travel = static_cast<Travel>(travel);
 }
 
 /// The ride's controls, and every line that one can be led along.
@@ -102,8 +103,8 @@ void canals(Visit& visit, const VisitWorld& world) {
   }
   const FlightSpace& space = world.cavities[visit.cavity.value_or(0)];
   const auto lines = rideable(space.lines);
-  if (visit.tour) {
-    const Ride& tour = *visit.tour;
+  if (visit.tour.ride) {
+    const Ride& tour = *visit.tour.ride;
     widgets::text(lines[tour.line]->name);
     ImGui::ProgressBar(static_cast<float>((tour.along - tour.track.points.front().along) /
                                           (tour.track.points.back().along - tour.track.points.front().along)),
@@ -111,7 +112,7 @@ void canals(Visit& visit, const VisitWorld& world) {
     button(visit, tour.playing ? "Stop here" : "Go on", VisitAction::tour_play, true);
     two_buttons(visit, tour.back ? "Forwards" : "Backwards", VisitAction::tour_back, "Leave it here",
                 VisitAction::end_tour);
-    widgets::slider("Pace", visit.tour_speed_factor, 0.1, 1, "%.1f");
+    widgets::slider("Pace", visit.tour.speed_factor, 0.1, 1, "%.1f");
   } else {
     say(lines.empty() ? "No centre line was found here." : "Choose one to be led along it.");
   }
@@ -119,37 +120,39 @@ void canals(Visit& visit, const VisitWorld& world) {
     const CentreLine& line = *lines[i];
     const double length = line.length_to_wall();
     if (widgets::wide_button(fmt::format("{}   {:.1f} mm", line.name, length).c_str(),
-                             visit.tour && visit.tour->line == i))
-      visit.tour_asked = i;
+                             visit.tour.ride && visit.tour.ride->line == i))
+      visit.tour.asked = i;
   }
 }
 
 void measure(Visit& visit, const Interface& interface) {
-  int tool = static_cast<int>(visit.tool);
+  int tool = static_cast<int>(visit.chosen.tool);
   say("The trigger, on the tooth:");
   if (widgets::choice(
           "tool", tool,
-          {visit.cavity ? (visit.travel == Travel::leap ? "Leaps" : "Glides") : "Enters, names", "Measures"}))
-    visit.tool = static_cast<HandTool>(tool);
-  if (visit.tool == HandTool::distance) say("Pull it at one place and at another: the straight way between them.");
-  if (visit.ends.size() == 2) {
+          {visit.cavity ? (visit.chosen.travel == Travel::leap ? "Leaps" : "Glides") : "Enters, names", "Measures"}))
+    visit.chosen.tool = static_cast<HandTool>(tool);
+  if (visit.chosen.tool == HandTool::distance)
+    say("Pull it at one place and at another: the straight way between them.");
+  if (visit.marks.ends.size() == 2) {
     ImGui::PushFont(interface.large);
-    widgets::text(fmt::format("{:.2f} mm", distance_between_mm(visit.ends[0], visit.ends[1])));
+    widgets::text(fmt::format("{:.2f} mm", distance_between_mm(visit.marks.ends[0], visit.marks.ends[1])));
     ImGui::PopFont();
-    say(fmt::format("from {} to {}", visit.ends[0].structure, visit.ends[1].structure));
+    say(fmt::format("from {} to {}", visit.marks.ends[0].structure, visit.marks.ends[1].structure));
   }
-  if (visit.named) say("Pointed at: " + visit.named->structure);
-  if (visit.named || !visit.ends.empty()) button(visit, "Forget the marks", VisitAction::forget_marks);
+  if (visit.marks.named) say("Pointed at: " + visit.marks.named->structure);
+  if (visit.marks.named || !visit.marks.ends.empty()) button(visit, "Forget the marks", VisitAction::forget_marks);
 }
 
 void help(Visit& visit) {
   if (visit.cavity) {
-    say(visit.tour
+    say(visit.tour.ride
             ? "Trigger: stop, go on. Stick: forth, back; right hand: turn.\nMenu: this panel. Menu, held: out again."
-        : visit.travel == Travel::leap ? "Trigger: point at a place; let go: you are there.\nStick: turn.\nMenu: this "
-                                         "panel. Menu, held: out again."
-                                       : "Trigger: glide where the hand points.\nStick: ahead, back; right hand: "
-                                         "turn.\nMenu: this panel. Menu, held: out again.");
+        : visit.chosen.travel == Travel::leap
+            ? "Trigger: point at a place; let go: you are there.\nStick: turn.\nMenu: this "
+              "panel. Menu, held: out again."
+            : "Trigger: glide where the hand points.\nStick: ahead, back; right hand: "
+              "turn.\nMenu: this panel. Menu, held: out again.");
   } else {
     say("Trigger on the pulp: go in; elsewhere: what is this?\nGrab: carry it, with both hands scale it. Grab this "
         "panel to move it.\nStick: turn it, bring it nearer.\nMenu: this panel. Menu, held: true size.");

@@ -33,9 +33,10 @@ glm::dvec2 HeadsetTexture::on_panel(double x, double y) { return {x / panel_widt
 
 void HeadsetTexture::feed(const Visit& visit, const HeadsetInput& input, double seconds) {
   const std::optional<std::size_t> hand = panel_hand(visit);
-  const glm::dvec2 at = hand ? visit.on_panel[*hand]->at * glm::dvec2(panel_width, panel_height) : glm::dvec2(nowhere);
+  const glm::dvec2 at =
+      hand ? visit.hands.on_panel[*hand]->at * glm::dvec2(panel_width, panel_height) : glm::dvec2(nowhere);
   interface_.feed(MouseMoved{at.x, at.y});
-  const bool down = hand && visit.pressing[*hand];
+  const bool down = hand && visit.hands.pressing[*hand];
   if (down != down_) interface_.feed(MouseButtonChanged{MouseButton::left, down});
   down_ = down;
   constexpr double notches_per_second = 12, at_rest = 0.15;
@@ -59,7 +60,7 @@ void HeadsetTexture::update(Visit& visit, const HeadsetInput& input, const Visit
       const ImVec2 at = ImGui::GetIO().MousePos;
       ImGui::GetForegroundDrawList()->AddCircleFilled(at, 4.5f * scale, theme::mark_outline, 24);
       ImGui::GetForegroundDrawList()->AddCircleFilled(at, 3.2f * scale,
-                                                      visit.pressing[*hand] ? theme::text : theme::mark, 24);
+                                                      visit.hands.pressing[*hand] ? theme::text : theme::mark, 24);
     }
     const ImDrawData& drawn = *interface_.end();
     texture_.bind();
@@ -101,7 +102,7 @@ void HeadsetTexture::write(const std::vector<Billboard>& billboards, const Pose&
 }
 
 void HeadsetTexture::place(const Visit& visit, const HeadsetInput& input) {
-  light_ = 1 - visit.dark;
+  light_ = 1 - visit.seen.dark;
   // Far ones first: a near label hides a far one.
   pieces_ = labels_;
   const auto distance = [&](const SheetPiece& piece) { return glm::length(piece.pose.position - input.head.position); };
@@ -110,10 +111,12 @@ void HeadsetTexture::place(const Visit& visit, const HeadsetInput& input) {
   if (visit.panel) pieces_.push_back({visit.panel->pose, visit.panel->size, 0, 0, panel_width, panel_height});
   beams_.clear();
   for (std::size_t i = 0; i < 2; ++i) {
-    if (!visit.on_panel[i]) continue;
+    if (!visit.hands.on_panel[i]) continue;
     const Pose& aim = input.hands[i].aim;
-    beams_.push_back(
-        {aim.position, aim.position + visit.on_panel[i]->distance * aim.ahead(), 0.003, {1.0f, 0.79f, 0.30f, 0.8f}});
+    beams_.push_back({aim.position,
+                      aim.position + visit.hands.on_panel[i]->distance * aim.ahead(),
+                      0.003,
+                      {1.0f, 0.79f, 0.30f, 0.8f}});
   }
 }
 

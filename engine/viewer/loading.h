@@ -75,7 +75,9 @@ struct LoadedModel {
   Certificate certificate;
   std::size_t triangles = 0;
   /// What the person said about `scene` and the viewer therefore leaves as it is; the rest follows window and settings.
-  bool camera_given = false, background_given = false, back_faces_given = false, looks_given = false;
+  struct {
+    bool camera = false, background = false, back_faces = false, looks = false;
+  } given;
 };
 
 /// Runs on a thread of its own. Throws what readers and the engine throw; Cancelled after a stop was requested.

@@ -15,6 +15,7 @@
 #include "engine/render/gpu_model.h"
 #include "engine/render/gpu_overlay.h"
 #include "engine/render/resolve_pass.h"
+#include "engine/ui/interface_pass.h"
 #include "engine/viewer/actions.h"
 #include "engine/viewer/pointing.h"
 #include "engine/viewer/viewer_state.h"
@@ -134,6 +135,10 @@ class Mode {
   virtual bool moving() const { return false; }
   /// Others work for it, and it wants to know how far they are.
   virtual bool working() const { return false; }
+  /// A model is being made.
+  virtual bool loading() const { return false; }
+  /// Nothing would be lost by closing; otherwise it asks, and ViewerState::close follows once the person agrees.
+  virtual bool may_close() { return true; }
 
   // What is seen.
   virtual ModeEffects effects() const { return {}; }
@@ -151,6 +156,8 @@ class Mode {
   /// Into the picture, below all that is written.
   virtual void draw_inset(const Target&) {}
   virtual void draw(DrawLayer, const DrawnPane&) {}
+  /// What grey_picture() stands for in what it draws.
+  virtual std::optional<GreyPicture> slice() const { return {}; }
   /// true: it has drawn one, and no other is.
   virtual bool draw_dialog() { return false; }
   virtual std::vector<PanelSection> panel() { return {}; }

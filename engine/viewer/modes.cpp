@@ -52,12 +52,8 @@ ModeEffects Modes::effects() const {
   return all;
 }
 
-bool Modes::dialog_open() const {
-  return std::any_of(begin(), end(), [](const auto& one) { return one->dialog_open(); });
-}
-
-bool Modes::writing() const {
-  return std::any_of(begin(), end(), [](const auto& one) { return one->writing(); });
+bool Modes::any(bool (Mode::*asked)() const) const {
+  return std::any_of(begin(), end(), [&](const auto& one) { return (*one.*asked)(); });
 }
 
 std::optional<Grip> Modes::grip_at(const Hover& hover) const {

@@ -30,8 +30,10 @@ class Modes {
 
   /// What all that are on change together.
   ModeEffects effects() const;
-  bool dialog_open() const;
-  bool writing() const;
+  bool any(bool (Mode::*asked)() const) const;
+  bool dialog_open() const { return any(&Mode::dialog_open); }
+  bool writing() const { return any(&Mode::writing); }
+  bool loading() const { return any(&Mode::loading); }
   std::optional<Grip> grip_at(const Hover& hover) const;
   /// What a click in the picture is for, in words; empty: nothing in particular.
   std::string click_hint() const;

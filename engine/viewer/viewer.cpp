@@ -7,10 +7,7 @@
 #include <utility>
 
 #include "engine/ui/theme.h"
-#include "engine/viewer/load/load_mode.h"
 #include "engine/viewer/look/annotations.h"
-#include "engine/viewer/notes/notes_mode.h"
-#include "engine/viewer/save/save_mode.h"
 
 namespace odontoscope {
 
@@ -115,7 +112,7 @@ void Viewer::show_hovered() {
   pointing.canal.reset();
   pointing.pointer = at_.interface.pointer();
   if (!at_.state.shown || pointing.held) return;
-  if (std::any_of(at_.modes.begin(), at_.modes.end(), [](const auto& mode) { return mode->catches_mouse(); })) {
+  if (at_.modes.any(&Mode::catches_mouse)) {
     pointing.pointer = Pointer::caught;
     return;
   }
@@ -131,24 +128,18 @@ void Viewer::show_hovered() {
 }
 
 double Viewer::wait_timeout() const {
-  const auto any = [&](bool (Mode::*asked)() const) {
-    return std::any_of(at_.modes.begin(), at_.modes.end(), [&](const auto& mode) { return (*mode.*asked)(); });
-  };
   const ViewerState& state = at_.state;
-  if (at_.fade.on() || at_.motion.camera || at_.motion.looks || any(&Mode::moving) || at_.frames_to_settle > 0 ||
-      !state.pending_actions.empty() || state.to_load || !events_.empty())
+  if (at_.fade.on() || at_.motion.camera || at_.motion.looks || at_.modes.any(&Mode::moving) ||
+      at_.frames_to_settle > 0 || !state.pending_actions.empty() || state.to_load || !events_.empty())
     return 0;
   constexpr double loading = 1.0 / 30, refining = 0.05, idle = 0.5;
-  if (any(&Mode::working)) return loading;
+  if (at_.modes.any(&Mode::working)) return loading;
   return at_.picture.refining(at_) ? refining : idle;
 }
 
-bool Viewer::loading() const { return mode<LoadMode>().job() != nullptr; }
-
-bool Viewer::may_close() { return mode<NotesMode>().may_close(); }
-
-Image Viewer::picture() { return mode<SaveMode>().picture(); }
-Scene Viewer::scene_of_picture() const { return mode<SaveMode>().scene_of_picture(); }
+bool Viewer::may_close() {
+  return std::all_of(at_.modes.begin(), at_.modes.end(), [](const auto& mode) { return mode->may_close(); });
+}
 
 std::string Viewer::title() const {
   if (!at_.state.shown) return "Odontoscope";

@@ -26,7 +26,7 @@ class Viewer {
 
   /// How long the next frame may wait for an event; 0 while something moves.
   double wait_timeout() const;
-  bool loading() const;
+  bool loading() const { return at_.modes.loading(); }
   /// What the last load ended with, if it failed; the person has been told.
   const std::exception_ptr& failure() const { return at_.state.failure; }
   Pointer pointer() const { return at_.pointing.pointer; }
@@ -40,9 +40,9 @@ class Viewer {
 
   /// What F12 saves, as it is now: the model by the settings for pictures, without the interface. Precondition: a model
   /// is shown. Throws GraphicsError.
-  Image picture();
+  Image picture() { return at_.image(); }
   /// Its scene, with size and samples: `render --scene` draws the same picture.
-  Scene scene_of_picture() const;
+  Scene scene_of_picture() const { return at_.scene_of_picture(); }
 
   const Interface& interface() const { return at_.interface; }
   ViewerState& state() { return at_.state; }

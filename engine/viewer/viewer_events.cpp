@@ -150,8 +150,7 @@ void Viewer::on_text(const TextTyped& typed) {
   constexpr char32_t beyond_latin = 0x250;
   const TextTyped text{typed.character >= beyond_latin && last_place_ ? static_cast<char32_t>(last_place_)
                                                                       : typed.character};
-  const bool choosing =
-      std::any_of(at_.modes.begin(), at_.modes.end(), [](const auto& mode) { return mode->chooses_by_letter(); });
+  const bool choosing = at_.modes.any(&Mode::chooses_by_letter);
   if (at_.modes.dialog_open() && !choosing && text.character != U'?') return;
   if (offer(text)) return;
   if (const auto action = action_for(text)) at_.state.pending_actions.push_back(*action);

@@ -10,7 +10,6 @@
 #include "engine/ui/drawing.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
-#include "engine/viewer/open/open_mode.h"
 #include "engine/viewer/panel.h"
 #include "engine/viewer/viewer.h"
 
@@ -43,7 +42,9 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
   const ImDrawData* drawn = at_.interface.end();
   if (const int by = std::exchange(steps_by_tab_, 0))
     at_.interface.step(by, !at_.modes.dialog_open() && !at_.modes.writing());
-  const std::optional<GreyPicture> slice = mode<OpenMode>().slice();
+  std::optional<GreyPicture> slice;
+  for (const auto& mode : at_.modes)
+    if (!slice) slice = mode->slice();
   interface_pass_.draw(at_.interface, *drawn, target, slice ? &*slice : nullptr);
   if (at_.state.shown) at_.state.settings.back_faces = at_.state.scene.back_faces;
 }

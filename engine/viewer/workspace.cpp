@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <utility>
 
 #include "engine/navigate/moves.h"
@@ -93,10 +94,10 @@ void Workspace::show(std::shared_ptr<const LoadedModel> shown) {
   scene = shown->scene;
   // The same plane, its handle where the model is.
   if (auto& section = scene.section) section = with_offset(*section, offset_of(*section, shown->model), shown->model);
-  if (!shown->back_faces_given) scene.back_faces = state.settings.back_faces;
-  if (!shown->looks_given) apply_remembered(state.settings, scene);
-  if (!shown->background_given) scene.background = background_of(state.settings.backdrop);
-  if (!shown->camera_given)
+  if (!shown->given.back_faces) scene.back_faces = state.settings.back_faces;
+  if (!shown->given.looks) apply_remembered(state.settings, scene);
+  if (!shown->given.background) scene.background = background_of(state.settings.backdrop);
+  if (!shown->given.camera)
     scene.camera = fit_without(hidden_in(scene), NamedView::three_quarter, shown->model, front().area.aspect(),
                                state.settings.projection);
   state.shown = std::move(shown);
@@ -105,6 +106,25 @@ void Workspace::show(std::shared_ptr<const LoadedModel> shown) {
   pointing.canal.reset();
   pointing.held.reset();
   motion = {};
+}
+
+Scene Workspace::scene_of_picture() const {
+  const PictureSettings& settings = state.settings.picture;
+  Scene scene = state.scene;
+  if (settings.transparent) scene.background.kind = Background::Kind::transparent;
+  scene.picture = {settings.width, settings.height, settings.side * settings.side};
+  if (settings.as_seen)
+    scene.picture->height = std::max(1, static_cast<int>(std::lround(settings.width / front().area.aspect())));
+  return scene;
+}
+
+PictureOptions Workspace::options_of_picture(const Scene& scene) const {
+  return {.size = {scene.picture->width, scene.picture->height}, .render = {.side = state.settings.picture.side}};
+}
+
+Image Workspace::image() {
+  const Scene scene = scene_of_picture();
+  return picture.image(state, scene, options_of_picture(scene));
 }
 
 void Workspace::go_to(const Camera& camera, double seconds) {

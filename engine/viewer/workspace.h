@@ -90,6 +90,11 @@ class Workspace {
   /// In place of what was shown before.
   void show(std::shared_ptr<const LoadedModel> shown);
 
+  // Pictures to be saved, by the settings for them; Viewer::picture tells more. Precondition: a model is shown.
+  Scene scene_of_picture() const;
+  PictureOptions options_of_picture(const Scene& scene) const;
+  Image image();
+
   // Cameras.
   void go_to(const Camera& camera, double seconds = transition_seconds);
   /// At once, within reach of the model.

@@ -28,7 +28,7 @@ ComparisonState coarse() {
   return compared;
 }
 
-TEST(HeadsetLab, MakesDbWhenItIsFirstWantedAndKeepsIt) {
+TEST(HeadsetComparison, MakesDbWhenItIsFirstWantedAndKeepsIt) {
   HeadsetComparison compared(loaded_molar(), coarse());
   EXPECT_TRUE(compared.possible());
   compared.update(false);
@@ -63,7 +63,7 @@ TEST(HeadsetLab, MakesDbWhenItIsFirstWantedAndKeepsIt) {
   Visit visit = advance_visit({}, input, dt, {}, 0.01);
   visit.pending_actions = {VisitAction::show_db};
   visit = advance_visit(visit, input, dt, {}, 0.01);
-  EXPECT_TRUE(visit.db);
+  EXPECT_TRUE(visit.chosen.db);
   EXPECT_EQ(visit.scene.back_faces, BackFaces::cull);
   for (const Look& look : visit.scene.looks) EXPECT_EQ(look.opacity, 1) << look.structure;
   constexpr PixelSize size{200, 180};
@@ -85,17 +85,17 @@ TEST(HeadsetLab, MakesDbWhenItIsFirstWantedAndKeepsIt) {
   painter.take(dt.model);
   EXPECT_EQ(seen(dt), with_dt);
   visit.pending_actions = {VisitAction::show_dt};
-  EXPECT_FALSE(advance_visit(visit, input, db, {}, 0.01).db);
+  EXPECT_FALSE(advance_visit(visit, input, db, {}, 0.01).chosen.db);
 }
 
-TEST(HeadsetLab, WithoutContoursThereIsNoDb) {
+TEST(HeadsetComparison, WithoutContoursThereIsNoDb) {
   HeadsetComparison compared(loaded_molar(false), {});
   EXPECT_FALSE(compared.possible());
   compared.update(true);
   EXPECT_EQ(compared.in_words(), "");
 }
 
-TEST(HeadsetLab, WhatTheDesktopMadeIsTaken) {
+TEST(HeadsetComparison, WhatTheDesktopMadeIsTaken) {
   ComparisonState state;
   auto result = std::make_shared<ComparisonResult>();
   result->options.grid = 40;

@@ -126,7 +126,7 @@ TEST_F(OnADisplay, DISABLED_Dropped) {
   runtime.side = 256;
   int height_before = 0, height_after = 0;
   const bool well = visit([&](const HeadsetFrame& frame, const Visit& now) {
-    const bool drawn = now.placed && now.told == 0 && frame.draw;  // nothing is written below the ball
+    const bool drawn = now.placed && now.seen.told == 0 && frame.draw;  // nothing is written below the ball
     if (drawn && height_before == 0) {
       height_before = height_of_what_is_seen(window->context().gl(), frame.targets[0]);
       drop("second.json");
@@ -161,7 +161,7 @@ TEST_F(OnADisplay, DISABLED_Volume) {
   std::array<std::array<int, 2>, 2> eyes{};
   EXPECT_TRUE(visit([&](const HeadsetFrame& frame, const Visit& now) {
     EXPECT_GT(frame.beat, 0);
-    if (!now.placed || now.told != 0 || !frame.draw) return;
+    if (!now.placed || now.seen.told != 0 || !frame.draw) return;
     for (std::size_t eye = 0; eye < 2; ++eye)
       eyes[eye] = seen_on_either_side(window->context().gl(), frame.targets[eye]);
     stop.request_stop();

@@ -84,14 +84,14 @@ TEST_F(Lab, OneKeyLeadsInAndOutAgain) {
   EXPECT_TRUE(compared().on);
   EXPECT_EQ(viewer().panes().size(), 1u);  // DT stays until DB is ready
   EXPECT_FALSE(viewer().panes()[0].db);
-  keep_picture("lab-making");
+  keep_picture("comparison-making");
   wait_until_made();
   ASSERT_EQ(viewer().panes().size(), 2u);
   EXPECT_FALSE(viewer().panes()[0].db);
   EXPECT_TRUE(viewer().panes()[1].db);
   EXPECT_EQ(viewer().panes()[0].camera, viewer().panes()[1].camera);
   EXPECT_EQ(viewer().state().scene.back_faces, BackFaces::cull);
-  keep_picture("lab-both");
+  keep_picture("comparison-both");
   type(U'd');
   EXPECT_FALSE(compared().on);
   EXPECT_EQ(viewer().panes().size(), 1u);
@@ -108,7 +108,7 @@ TEST_F(Lab, ThePanelHasAButtonForIt) {
   frame();
   ASSERT_EQ(viewer().panes().size(), 1u);
   EXPECT_FALSE(viewer().panes()[0].db);
-  click_control("Two-sided", {"lab faces"});
+  click_control("Two-sided", {"comparison faces"});
   EXPECT_EQ(viewer().state().scene.back_faces, BackFaces::show);
   click_control("Leave DB mode (D)");
   EXPECT_FALSE(compared().on);
@@ -132,7 +132,7 @@ TEST_F(Lab, HolesOfTheUnorientedTableVanishWhenBothSidesAreDrawn) {
   const Image culled = picture();
   type(U'b');
   const Image both_sides = picture();
-  keep_picture("lab-two-sided");
+  keep_picture("comparison-two-sided");
   EXPECT_GT(share_that_differs(culled, both_sides, db), 0.05);
   EXPECT_LT(share_that_differs(culled, both_sides, dt),
             1e-4);  // single pixels on a rim, where front and back are equally deep
@@ -157,11 +157,11 @@ TEST_F(Lab, ASplitViewShowsWhatEachMethodShowsInPlace) {
   frames(3);
   ASSERT_TRUE(viewer().panes()[0].db);
   const Image db = picture();
-  keep_picture("lab-in-place");
+  keep_picture("comparison-in-place");
   compared().layout = ComparisonLayout::split;
   frames(3);
   const Image split = picture();
-  keep_picture("lab-split");
+  keep_picture("comparison-split");
   Area left = viewer().panes()[0].shown(), right = viewer().panes()[1].shown();
   left.width -= 20;  // the line
   right.left += 20;
@@ -249,7 +249,7 @@ TEST_F(Lab, TheNextArtefactIsFlownToAndExplained) {
   const std::string words = in_words(first, compared().made->options.cases);
   EXPECT_NE(words.find("Table classic:"), std::string::npos) << words;
   EXPECT_NE(words.find("crack"), std::string::npos) << words;
-  keep_picture("lab-artefact");
+  keep_picture("comparison-artefact");
   type(U'n');
   settle();
   EXPECT_EQ(compared().artefact, 1u);
@@ -375,7 +375,7 @@ TEST_F(Lab, TroubleIsSaidAndThePictureStays) {
   EXPECT_NE(compared().trouble.find("slice 5"), std::string::npos) << compared().trouble;
   EXPECT_FALSE(compared().run.working);
   EXPECT_EQ(viewer().panes().size(), 1u);
-  keep_picture("lab-trouble");
+  keep_picture("comparison-trouble");
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ TEST_F(Panels, OpacitiesAreRememberedAndGivenBack) {
     EXPECT_NE(place.id, control_id("Usual colours and opacities")) << "nothing to give back";
 
   LoadedModel given = toy_tooth();  // by the command line
-  given.looks_given = true;
+  given.given.looks = true;
   ViewerOptions options{.load = [given](const LoadRequest&, const Progress&) { return given; }, .settings = settings};
   viewer_with_tooth(std::move(options));
   EXPECT_EQ(viewer().state().scene.look_of("enamel")->opacity, usual.opacity);

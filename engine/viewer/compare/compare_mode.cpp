@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <new>
 #include <utility>
 
 #include "engine/viewer/compare/compare_panel.h"
+#include "engine/viewer/compare/comparison_run.h"
 #include "engine/viewer/workspace.h"
 
 namespace odontoscope {
@@ -41,16 +41,6 @@ std::vector<LineSet> edges_near(const ComparisonResult& made, std::size_t artefa
     if (!kept.points.empty()) near.push_back(std::move(kept));
   }
   return near;
-}
-
-std::string words_of(const std::exception_ptr& trouble) {
-  try {
-    std::rethrow_exception(trouble);
-  } catch (const std::bad_alloc&) {
-    return "This machine has not enough memory for that. Choose a coarser grid.";
-  } catch (const std::exception& error) {
-    return error.what();
-  }
 }
 
 }  // namespace
@@ -100,7 +90,7 @@ bool CompareMode::perform(Action action) {
 
 void CompareMode::enter() {
   if (compared_.on) return;
-  if (!comparison_possible(state_)) {
+  if (!comparison_possible(*state_.shown)) {
     notice("DB needs contours: open a contour stack, a volume or the sample molar.");
     return;
   }
@@ -108,11 +98,8 @@ void CompareMode::enter() {
   compared_.looks_before = state_.scene.looks;
   compared_.back_faces_before = state_.scene.back_faces;
   compared_.overlays_before = state_.scene.overlays;
-  for (Look& look : state_.scene.looks) look.opacity = 1;  // what one method hides, the other must hide as well
-  state_.scene.back_faces = BackFaces::cull;
-  if (!worker_)
-    worker_ =
-        std::make_unique<DbWorker>(std::shared_ptr<const ContourStack>(state_.shown, &state_.shown->overlays.contours));
+  make_opaque(state_.scene);  // what one method hides, the other must hide as well
+  if (!worker_) worker_ = worker_for(state_.shown);
 }
 
 void CompareMode::leave() {
@@ -149,7 +136,7 @@ void CompareMode::update() {
   const DbWorker::Stage stage = worker_->stage();
   if (auto outcome = worker_->take()) {
     if (outcome->trouble)
-      compared_.trouble = words_of(outcome->trouble);
+      compared_.trouble = words_for(outcome->trouble);
     else
       take_result(std::move(outcome->result));
   }

@@ -11,6 +11,7 @@
 #include "engine/ui/drawing.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
+#include "engine/viewer/compare/comparison_run.h"
 #include "recon/core/grouped.h"
 
 namespace odontoscope {
@@ -256,10 +257,6 @@ void draw_culling(const ViewerState& state, const Interface& interface, const Ar
 
 }  // namespace
 
-bool comparison_possible(const ViewerState& state) {
-  return state.shown && state.shown->overlays.contours.slices.size() >= 2;
-}
-
 FaultyEdges faulty_edges_of(const LoadedModel& shown) {
   FaultyEdges edges;
   for (const LineSet& set : shown.overlays.faulty_edges) {
@@ -275,7 +272,7 @@ FaultyEdges faulty_edges_of(const LoadedModel& shown) {
 }
 
 void comparison_section(ComparisonState& compared, ViewerState& state, const Interface& interface) {
-  if (!comparison_possible(state)) return;
+  if (!comparison_possible(*state.shown)) return;
   if (!compared.on) {
     if (widgets::wide_button("Compare with DB (D)")) state.pending_actions.push_back(Action::toggle_comparison);
     return;
@@ -293,7 +290,7 @@ void comparison_section(ComparisonState& compared, ViewerState& state, const Int
   }
   counts(compared, state, interface);
   int faces = static_cast<int>(state.scene.back_faces);
-  if (widgets::choice("lab faces", faces, {"Cull (B)", "Two-sided", "Tint"}))
+  if (widgets::choice("comparison faces", faces, {"Cull (B)", "Two-sided", "Tint"}))
     state.scene.back_faces = static_cast<BackFaces>(faces);
   widgets::toggle("Draw the faulty edges (E)", state.scene.overlays.edges);
   if (widgets::wide_button("Next artefact (N)", true)) state.pending_actions.push_back(Action::next_artefact);

@@ -18,9 +18,6 @@ void comparison_section(ComparisonState& compared, ViewerState& state, const Int
 void draw_comparison(const ComparisonState& compared, ViewerState& state, const std::vector<ViewPane>& panes,
                      const Interface& interface, const Area& viewport, float scale);
 
-/// DB needs two slices of contours: a mesh from elsewhere has none.
-bool comparison_possible(const ViewerState& state);
-
 /// Edges of the shown model by what is wrong with them, as drawn.
 struct FaultyEdges {
   std::size_t cracks = 0, misoriented = 0, nonmanifold = 0;

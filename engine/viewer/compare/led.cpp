@@ -68,8 +68,7 @@ void CompareMode::go_to_step(std::size_t number) {
   compared_.split = 0.5;
   compared_.artefact.reset();
   Scene usual = state_.shown->scene;
-  for (Look& look : usual.looks) look.opacity = 1;
-  usual.back_faces = BackFaces::cull;
+  make_opaque(usual);
   usual.background = state_.scene.background;
   constexpr double shrink = 0.85, lift = 0.14;  // the dialog covers the lower part of the view
   const double aspect = at_.layout.viewport.aspect() / (step.layout == ComparisonLayout::side_by_side ? 2 : 1);

@@ -15,7 +15,6 @@
 #include "engine/viewer/fly/fly_annotations.h"
 #include "engine/viewer/fly/fly_panel.h"
 #include "engine/viewer/help/help_mode.h"
-#include "engine/viewer/load/load_mode.h"
 #include "engine/viewer/workspace.h"
 
 namespace odontoscope {
@@ -50,6 +49,15 @@ std::string words_without_cavity(const LoadedModel& shown) {
 }
 
 }  // namespace
+
+const FlightSpace* FlyMode::inside() const {
+  return fly_.on && fly_.cavity ? &state_.shown->flight->cavities[*fly_.cavity] : nullptr;
+}
+
+std::string FlyMode::canal_here() const {
+  const FlightSpace* space = inside();
+  return space && fly_.place ? rideable(space->lines)[fly_.place->line]->name : std::string();
+}
 
 const Walls& FlyMode::walls() const {
   const FlightSpaces& spaces = *state_.shown->flight;
@@ -182,7 +190,7 @@ void FlyMode::pass_wall() {
 bool FlyMode::perform(Action action) {
   if (!state_.shown) {
     if (action == Action::enter_pulp)
-      notice(at_.modes.get<LoadMode>().job() ? "The model is still being made." : "Open a model first.");
+      notice(at_.modes.loading() ? "The model is still being made." : "Open a model first.");
     return false;
   }
   switch (action) {

@@ -21,6 +21,11 @@ class FlyMode final : public Mode {
   bool on() const { return fly_.on; }
   FlyState& state() { return fly_; }
   const FlyState& state() const { return fly_; }
+  /// The cavity that one is in; null: one is outside.
+  const FlightSpace* inside() const;
+  bool riding() const { return fly_.on && fly_.ride; }
+  /// By its name; empty: one is in none.
+  std::string canal_here() const;
   bool possible() const { return state_.shown && state_.shown->flight; }
 
   /// The view that leaving brings back is the one now, if one does not fly yet.

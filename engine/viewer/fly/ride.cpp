@@ -146,8 +146,7 @@ void FlyMode::control_ride(Action action) {
       ride.look = ride.playing ? glm::dvec2(0) : ride.look;
       break;
     case Action::ride_back:
-      ride.back = !ride.back;
-      ride.playing = true;
+      turn_round(ride);
       break;
     case Action::ride_farther:
       ride.along = std::min(ride.along + scrub_share * (to - from), to);

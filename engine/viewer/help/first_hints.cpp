@@ -35,11 +35,12 @@ bool FirstHints::follow(Workspace& at) {
   const NamesMode& names = at.modes.get<NamesMode>();
   const glm::dvec3 towards_eye = axes_of(state.scene.camera).towards_eye;
   if (!first_view_) first_view_ = towards_eye;
-  if (!fly.on() && !at.modes.get<NotesMode>().notes().shown && glm::dot(towards_eye, *first_view_) < turned_cosine)
+  const bool from_outside = at.modes.effects().from_outside;
+  if (from_outside && !at.modes.get<NotesMode>().notes().shown && glm::dot(towards_eye, *first_view_) < turned_cosine)
     turned_ = true;
   const bool inside = has_canals(state);
-  if (names.canal() || (inside ? fly.on() && fly.state().ride : names.names().told.has_value())) clicked_ = true;
-  if (fly.on() && (fly.state().cavity || !inside)) flown_ = true;
+  if (names.canal() || (inside ? fly.riding() : names.names().told.has_value())) clicked_ = true;
+  if (!from_outside && (fly.inside() || !inside)) flown_ = true;
   if (!(turned_ && clicked_ && flown_)) return false;
   state.settings.hints = false;
   return true;

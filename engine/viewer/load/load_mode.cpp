@@ -54,7 +54,7 @@ void LoadMode::take_model(const LoadRequest& request, LoadedModel loaded) {
   auto made = std::make_shared<const LoadedModel>(std::move(loaded));
   // Who turned the draft goes on from there.
   const std::optional<Camera> turned =
-      state_.origin.draft && draft_camera_ && !made->camera_given && state_.scene.camera != *draft_camera_
+      state_.origin.draft && draft_camera_ && !made->given.camera && state_.scene.camera != *draft_camera_
           ? std::optional(state_.scene.camera)
           : std::nullopt;
   at_.show(std::move(made));

@@ -17,14 +17,13 @@ class LoadMode final : public Mode {
 
   /// Stops what is being made. Other modes may take the request over.
   void open(LoadRequest request);
-  /// Null: nothing is being made.
-  const LoadJob* job() const { return job_.get(); }
 
   bool put_away(PutAway what) override;
   bool answer() override;
   bool dialog_open() const override { return !state_.trouble.empty(); }
   void update() override;
-  bool working() const override { return job_ != nullptr; }
+  bool working() const override { return loading(); }
+  bool loading() const override { return job_ != nullptr; }
   bool draw_dialog() override;
 
  private:

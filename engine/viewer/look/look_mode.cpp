@@ -99,21 +99,14 @@ void LookMode::toggle_projection() {
 }
 
 void LookMode::toggle_section() {
-  if (state_.scene.section) {
-    section_put_away_ = std::exchange(state_.scene.section, std::nullopt);
-    return;
-  }
-  if (section_put_away_) {
-    state_.scene.section = section_put_away_;
-    return;
-  }
   // The half towards the eye goes: one sees into the other.
   const AnatomicalFrame tooth;
   const glm::dvec3 eye = axes_of(state_.scene.camera).towards_eye;
   glm::dvec3 normal = tooth.buccal;
   for (const glm::dvec3& side : {-tooth.buccal, tooth.mesial, -tooth.mesial})
     if (glm::dot(side, eye) > glm::dot(normal, eye)) normal = side;
-  state_.scene.section = Section{state_.shown->model.bounds_mm.centre(), normal};
+  odontoscope::toggle_section(state_.scene.section, section_put_away_,
+                              {state_.shown->model.bounds_mm.centre(), normal});
 }
 
 bool LookMode::handle_shown() const { return state_.scene.section && at_.modes.effects().section_handle; }

@@ -3,7 +3,6 @@
 // and pins in the picture.
 
 #include "engine/ui/interface.h"
-#include "engine/viewer/fly/fly_state.h"
 #include "engine/viewer/notes/lesson_player.h"
 
 namespace odontoscope {
@@ -16,9 +15,13 @@ void draw_lesson_dock(NotesState& notes, ViewerState& state, LessonPlayer& lesso
 
 void draw_lesson_menu(ViewerState& state, LessonPlayer& lesson, const Interface& interface, const Area& viewport);
 
-/// Pins, each with its label; inside a cavity a wall hides them, outside they pale
-/// behind what is opaque.
-void draw_pins(const std::vector<LessonPin>& marks, const ViewerState& state, const FlyState& fly, const ViewPane& pane,
-               const Interface& interface, float scale);
+/// From outside; else in that cavity, or around the tooth (null).
+struct PinsSeenFrom {
+  bool outside = true;
+  const FlightSpace* cavity = nullptr;
+};
+/// Pins, each with its label; inside a cavity a wall hides them, outside they pale behind what is opaque.
+void draw_pins(const std::vector<LessonPin>& marks, const ViewerState& state, const PinsSeenFrom& from,
+               const ViewPane& pane, const Interface& interface, float scale);
 
 }  // namespace odontoscope

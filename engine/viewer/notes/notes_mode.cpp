@@ -9,7 +9,6 @@
 #include "engine/ui/drawing.h"
 #include "engine/ui/widgets.h"
 #include "engine/viewer/fly/fly_mode.h"
-#include "engine/viewer/load/load_mode.h"
 #include "engine/viewer/names/canals.h"
 #include "engine/viewer/names/names_mode.h"
 #include "engine/viewer/notes/lesson_dialogs.h"
@@ -60,7 +59,7 @@ void NotesMode::answer_leaving() {
   }
   may_go_ = true;
   at_.open(*leaving.to_open);
-  if (!at_.modes.get<LoadMode>().job()) may_go_ = false;
+  if (!at_.modes.loading()) may_go_ = false;
 }
 
 void NotesMode::take_requests() {
@@ -126,7 +125,7 @@ LessonNote NotesMode::view_now() {
   at_.settle_looks();
   Scene seen = state_.scene;
   seen.camera = at_.camera_goal();
-  return note_of(seen, fly.on() && fly.state().cavity.has_value());
+  return note_of(seen, fly.inside() != nullptr);
 }
 
 bool NotesMode::handle(const Event& event) {
@@ -241,23 +240,19 @@ ModeEffects NotesMode::effects() const {
 void NotesMode::draw(DrawLayer layer, const DrawnPane& drawn) {
   if (layer == DrawLayer::marks && drawn.first) {
     const auto* pins = drawn.pane.db ? nullptr : notes_.pins();
-    if (pins) draw_pins(*pins, state_, at_.modes.get<FlyMode>().state(), drawn.pane, at_.interface, at_.layout.scale);
+    const PinsSeenFrom from{at_.modes.effects().from_outside, at_.modes.get<FlyMode>().inside()};
+    if (pins) draw_pins(*pins, state_, from, drawn.pane, at_.interface, at_.layout.scale);
     if (pointing()) draw_cross(drawn.pane.area, at_.layout.scale);  // that Enter takes
   }
   if (layer == DrawLayer::windows && state_.shown) draw_dock();
-  if (layer == DrawLayer::lists && !at_.modes.get<LoadMode>().job())
+  if (layer == DrawLayer::lists && !at_.modes.loading())
     draw_lesson_menu(state_, lesson_, at_.interface, at_.layout.viewport);
 }
 
 void NotesMode::draw_dock() {
-  const FlyMode& fly = at_.modes.get<FlyMode>();
-  const FlyState& flight = fly.state();
-  std::string canal;
-  if (fly.on() && flight.cavity && flight.place)
-    canal = rideable(state_.shown->flight->cavities[*flight.cavity].lines)[flight.place->line]->name;
   const double before = lesson_.dock_height;
   const Area& viewport = at_.layout.viewport;
-  draw_lesson_dock(notes_, state_, lesson_, canal, at_.interface,
+  draw_lesson_dock(notes_, state_, lesson_, at_.modes.get<FlyMode>().canal_here(), at_.interface,
                    {viewport.left, 0, viewport.width, static_cast<double>(at_.layout.size.height)}, at_.layout.scale);
   if (lesson_.dock_height != before) at_.frames_to_settle = 3;
 }

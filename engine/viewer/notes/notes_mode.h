@@ -18,8 +18,6 @@ class NotesMode final : public Mode {
   NotesState& notes() { return notes_; }
   const NotesState& notes() const { return notes_; }
   const LessonPlayer& lesson() const { return lesson_; }
-  /// Nothing would be lost by closing; otherwise the person is asked, and ViewerState::close follows once they agree.
-  bool may_close();
 
   void loaded(const LoadRequest& request) override;
   void load_failed() override;
@@ -33,6 +31,7 @@ class NotesMode final : public Mode {
   bool dialog_open() const override { return notes_.leaving || lesson_.menu(); }
   bool chooses_by_letter() const override { return lesson_.menu(); }
   bool writing() const override { return notes_.draft.has_value(); }
+  bool may_close() override;
   void take_requests() override;
   void advance(double seconds) override { lesson_.advance(notes_, seconds); }
   ModeEffects effects() const override;

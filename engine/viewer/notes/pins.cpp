@@ -21,13 +21,13 @@ constexpr float hides = 0.9f;
 
 enum class PinSeen { plain, behind, hidden };
 
-PinSeen seen(const ViewerState& state, const FlyState& fly, const ViewPane& pane, const glm::dvec3& at) {
+PinSeen seen(const ViewerState& state, const PinsSeenFrom& from, const ViewPane& pane, const glm::dvec3& at) {
   const glm::dvec3 eye = pane.camera.position, way = at - eye;
   const double distance = glm::length(way);
   if (distance < 1e-9) return PinSeen::hidden;
-  if (fly.on) {
-    if (!fly.cavity) return PinSeen::plain;
-    const Walls& walls = state.shown->flight->cavities[*fly.cavity].walls;
+  if (!from.outside) {
+    if (!from.cavity) return PinSeen::plain;
+    const Walls& walls = from.cavity->walls;
     return walls.free_distance(eye, way / distance, distance) < distance - wall_slack_mm ? PinSeen::hidden
                                                                                          : PinSeen::plain;
   }
@@ -47,8 +47,8 @@ struct DrawnPin {
 
 }  // namespace
 
-void draw_pins(const std::vector<LessonPin>& marks, const ViewerState& state, const FlyState& fly, const ViewPane& pane,
-               const Interface& interface, float scale) {
+void draw_pins(const std::vector<LessonPin>& marks, const ViewerState& state, const PinsSeenFrom& from,
+               const ViewPane& pane, const Interface& interface, float scale) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const ImVec2 low = vec(pane.area.left, pane.area.top),
                high = vec(pane.area.left + pane.area.width, pane.area.top + pane.area.height);
@@ -57,7 +57,7 @@ void draw_pins(const std::vector<LessonPin>& marks, const ViewerState& state, co
   std::vector<DrawnPin> pins;
   for (const LessonPin& mark : marks) {
     const auto place = place_of(pane.camera, mark.at);
-    const PinSeen how = place ? seen(state, fly, pane, mark.at) : PinSeen::hidden;
+    const PinSeen how = place ? seen(state, from, pane, mark.at) : PinSeen::hidden;
     if (how == PinSeen::hidden) continue;
     const ImVec2 at = vec(pixel_of(pane.area, *place));
     const ImVec2 text = font->CalcTextSizeA(font->FontSize, 1e9f, 0, mark.label.c_str()),

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "engine/ui/file_list.h"
-#include "engine/ui/interface_pass.h"
 #include "engine/viewer/mode.h"
 #include "engine/viewer/open/volume_question.h"
 
@@ -21,8 +20,6 @@ class OpenMode final : public Mode {
   /// That is being typed; nothing: none is asked for.
   const std::optional<std::string>& file_asked_for() const { return file_; }
   const FolderList& folder() const { return folder_; }
-  /// Of the volume that is asked about: what grey_picture() stands for.
-  std::optional<GreyPicture> slice() const;
 
   bool takes_request(LoadRequest& request) override;
   bool perform(Action action) override;
@@ -32,6 +29,7 @@ class OpenMode final : public Mode {
   bool dialog_open() const override { return question_ || file_; }
   void update() override;
   bool working() const override { return preview_ != nullptr; }
+  std::optional<GreyPicture> slice() const override;
   bool draw_dialog() override;
 
  private:

@@ -23,29 +23,6 @@ SaveMode::~SaveMode() {
   for (std::future<std::string>& writing : writing_) writing.wait();
 }
 
-Scene SaveMode::scene_of_picture() const {
-  const PictureSettings& settings = state_.settings.picture;
-  Scene scene = state_.scene;
-  if (settings.transparent) scene.background.kind = Background::Kind::transparent;
-  scene.picture = {settings.width, settings.height, settings.side * settings.side};
-  if (settings.as_seen)
-    scene.picture->height = std::max(1, static_cast<int>(std::lround(settings.width / at_.front().area.aspect())));
-  return scene;
-}
-
-namespace {
-
-PictureOptions options_for(const Scene& scene, const PictureSettings& settings) {
-  return {.size = {scene.picture->width, scene.picture->height}, .render = {.side = settings.side}};
-}
-
-}  // namespace
-
-Image SaveMode::picture() {
-  const Scene scene = scene_of_picture();
-  return at_.picture.image(state_, scene, options_for(scene, state_.settings.picture));
-}
-
 bool SaveMode::perform(Action action) {
   if (!state_.shown) return false;
   if (action == Action::take_picture) take_picture();
@@ -94,8 +71,8 @@ void SaveMode::take_picture() {
   try {
     const std::filesystem::path file = at_.files.next(state_.shown->title, ".png");
     AtomicFile place(file);  // trouble with the folder is told before the work
-    const Scene scene = scene_of_picture();
-    const PictureOptions options = options_for(scene, state_.settings.picture);
+    const Scene scene = at_.scene_of_picture();
+    const PictureOptions options = at_.options_of_picture(scene);
     refuse_undrawable(at_.gl, options.size, options.render);
     writing_.push_back(
         std::async(std::launch::async,
@@ -113,7 +90,7 @@ void SaveMode::take_picture() {
 void SaveMode::take_picture_here() {
   try {
     AtomicFile place(at_.files.next(state_.shown->title, ".png"));
-    notice(kept_as(picture(), place));
+    notice(kept_as(at_.image(), place));
   } catch (const Error& error) {
     state_.trouble = error.what();
   }
@@ -122,7 +99,7 @@ void SaveMode::take_picture_here() {
 void SaveMode::save_scene() {
   try {
     const std::filesystem::path file = at_.files.next(state_.shown->title + "-scene", ".json");
-    Scene scene = scene_of_picture();
+    Scene scene = at_.scene_of_picture();
     scene.camera = at_.camera_goal();
     AtomicFile written(file);
     written.write(to_json(scene));

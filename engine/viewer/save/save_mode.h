@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/picture/image.h"
 #include "engine/viewer/mode.h"
 
 namespace odontoscope {
@@ -16,10 +15,6 @@ class SaveMode final : public Mode {
   using Mode::Mode;
   /// Finishes writing.
   ~SaveMode() override;
-
-  /// Viewer::picture and Viewer::scene_of_picture.
-  Image picture();
-  Scene scene_of_picture() const;
 
   bool perform(Action action) override;
   void update() override;
