@@ -117,7 +117,7 @@ std::vector<ComparisonArtefact> in_telling_order(std::vector<ComparisonArtefact>
 
 std::string in_words(const ComparisonArtefact& artefact, CaseTable table) {
   if (artefact.reason) return in_words(*artefact.reason, table);
-  const std::string after = fmt::format(
+  std::string after = fmt::format(
       " Decimation moved what table {} had made; without decimation the two cells that disagree can be named.",
       name(table));
   switch (artefact.kind) {

@@ -49,7 +49,7 @@ class Object {
   std::string text(const char* key) const {
     const Json& json = needed(key);
     if (!json.is_string()) refuse("wrong-type", fmt::format("has a \"{}\" that is no text", key));
-    const std::string text = json.get<std::string>();
+    std::string text = json.get<std::string>();
     if (text.empty() || text.size() > lesson_limits::text)
       refuse("bad-value", fmt::format("has a \"{}\" that is not 1 to {} bytes long", key, lesson_limits::text));
     return text;

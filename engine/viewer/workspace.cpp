@@ -53,7 +53,7 @@ std::filesystem::path FileNames::next(const std::string& stem, const std::string
   const std::filesystem::path folder = folder_.empty() ? std::filesystem::current_path() : folder_;
   constexpr int most = 10'000;
   for (int number = 1; number < most; ++number) {
-    const std::filesystem::path file = folder / fmt::format("{}-{:03}{}", as_file_name(stem), number, ending);
+    std::filesystem::path file = folder / fmt::format("{}-{:03}{}", as_file_name(stem), number, ending);
     std::error_code error;
     if (!std::filesystem::exists(file, error) && names_given_.insert(file).second) return file;
   }

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/ui/interface_pass.h"
 #include "engine/ui/theme.h"
@@ -176,7 +177,7 @@ VolumeAnswer volume_dialog(VolumeQuestion& question, const Interface& interface)
       double slice = static_cast<double>(question.slice);
       ImGui::BeginChild("slices", {side, 2 * ImGui::GetFrameHeightWithSpacing()});
       if (widgets::slider("Slice", slice, 0, static_cast<double>(question.preview->values.size[2] - 1), "%.0f"))
-        question.slice = static_cast<std::size_t>(slice + 0.5);
+        question.slice = static_cast<std::size_t>(std::lround(slice));
       ImGui::EndChild();
     }
     ImGui::EndGroup();
