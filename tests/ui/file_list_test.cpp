@@ -1,6 +1,6 @@
 // Opening a file by choosing it: the folder's files that can be opened, and those that were opened before.
 
-#include "engine/ui/file_list.h"
+#include "engine/viewer/open/file_list.h"
 
 #include <sys/stat.h>
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/ui/file_list.h"
 #include "engine/viewer/mode.h"
+#include "engine/viewer/open/file_list.h"
 #include "engine/viewer/open/volume_question.h"
 
 namespace odontoscope {

@@ -1,4 +1,4 @@
-#include "engine/ui/file_list.h"
+#include "engine/viewer/open/file_list.h"
 
 #include <algorithm>
 #include <array>
