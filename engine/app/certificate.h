@@ -6,7 +6,7 @@
 
 #include "engine/app/proven.h"
 #include "engine/scene/model.h"
-#include "engine/ui/certificate.h"
+#include "engine/viewer/certificate.h"
 
 namespace odontoscope::app {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "engine/ui/loading.h"
+#include "engine/viewer/loading.h"
 #include "recon/core/embedded_file.h"
 #include "recon/core/progress.h"
 #include "recon/input/contour_stack.h"

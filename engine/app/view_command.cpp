@@ -19,13 +19,13 @@
 #include "engine/app/view_script.h"
 #include "engine/app/volume_look_words.h"
 #include "engine/app/volume_options.h"
+#include "engine/headset_viewer/headset_loop.h"
 #include "engine/language/language.h"
 #include "engine/navigate/wall_depth.h"
 #include "engine/picture/png.h"
-#include "engine/ui/headset_loop.h"
-#include "engine/ui/viewer.h"
-#include "engine/ui/window_loop.h"
 #include "engine/view/offscreen.h"
+#include "engine/viewer/viewer.h"
+#include "engine/viewer/window_loop.h"
 #include "recon/cavity/names.h"
 #include "recon/core/system_processes.h"
 #include "recon/radiograph/tissue.h"
@@ -142,11 +142,11 @@ LoadedModel load(const LoadRequest& request, const Progress& progress, const Vie
   loaded.overlays = std::move(shown.overlays);
   loaded.values = std::move(shown.values);
   const bool whole_scene = !words.scene_file.empty();
-  loaded.camera_given =
+  loaded.given.camera =
       whole_scene || !words.camera_file.empty() || !words.view.empty() || words.zoom != 1 || words.parallel;
-  loaded.background_given = whole_scene || !words.background.empty();
-  loaded.looks_given = whole_scene || !words.opacity.empty() || !words.colour.empty();
-  loaded.back_faces_given = whole_scene || !words.back_faces.empty();
+  loaded.given.background = whole_scene || !words.background.empty();
+  loaded.given.looks = whole_scene || !words.opacity.empty() || !words.colour.empty();
+  loaded.given.back_faces = whole_scene || !words.back_faces.empty();
   return loaded;
 }
 
@@ -198,7 +198,6 @@ ExitCode take_screenshots(const ViewArguments& options, Session& session) {
   viewer_settings.language = language_of(options, {}, false);
   viewer_settings.wants_level = [](const LoadRequest&) { return false; };  // nobody is there to answer
   Viewer viewer(context->gl(), shaders_from_environment(), std::move(viewer_settings));
-  viewer.state().drawn_with = context->in_words();
   viewer.open(first_request(options));
   constexpr auto pause = std::chrono::milliseconds(5);
   constexpr int frames_after = 4;
@@ -243,7 +242,6 @@ ExitCode show_window(const ViewArguments& options, const ReadSettings& read, con
   viewer_settings.clipboard = {[&window] { return window.clipboard(); },
                                [&window](const std::string& text) { window.set_clipboard(text); }};
   Viewer viewer(window.context().gl(), shaders_from_environment(), std::move(viewer_settings));
-  viewer.state().drawn_with = window.context().in_words();
   if (!read.complaint.empty()) viewer.state().notices.push_back({read.complaint, true, 12});
   session.console.say(fmt::format("Drawn with {}.", window.context().in_words()));
   viewer.open(first_request(options));

@@ -17,6 +17,7 @@
 #include "engine/picture/png.h"
 #include "engine/scene/scene_json.h"
 #include "engine/view/offscreen.h"
+#include "engine/viewer/compare/compare_mode.h"
 #include "recon/core/error.h"
 #include "recon/core/lower_case.h"
 #include "recon/core/read_file.h"
@@ -201,7 +202,7 @@ class Performance {
   /// Until nothing moves, and nothing is awaited. What never rests goes on.
   void settle() {
     for (int left = most_frames_to_settle; left > 0; --left) {
-      const bool awaited = viewer_.loading() || viewer_.state().lab.working;
+      const bool awaited = viewer_.loading() || viewer_.mode<CompareMode>().working();
       if (awaited)
         ++left, std::this_thread::sleep_for(std::chrono::milliseconds(5));
       else if (viewer_.wait_timeout() >= beat)

@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "engine/ui/viewer.h"
+#include "engine/viewer/viewer.h"
 #include "recon/core/atomic_file.h"
 #include "recon/core/progress.h"
 

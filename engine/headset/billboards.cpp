@@ -55,16 +55,16 @@ std::vector<Billboard> billboards(const Visit& visit, const HeadsetInput& input,
     const glm::dvec3 place = to_room(visit.stage, place_mm);
     all.push_back({words, beside(place, input.head), place});
   };
-  if (visit.named) add(visit.named->structure, visit.named->point_mm);
-  if (visit.ends.size() == 2)
-    add(fmt::format("{:.2f} mm", distance_between_mm(visit.ends[0], visit.ends[1])),
-        0.5 * (visit.ends[0].point_mm + visit.ends[1].point_mm));
-  if (visit.cavity && visit.labels) {
+  if (visit.marks.named) add(visit.marks.named->structure, visit.marks.named->point_mm);
+  if (visit.marks.ends.size() == 2)
+    add(fmt::format("{:.2f} mm", distance_between_mm(visit.marks.ends[0], visit.marks.ends[1])),
+        0.5 * (visit.marks.ends[0].point_mm + visit.marks.ends[1].point_mm));
+  if (visit.cavity && visit.chosen.labels) {
     const FlightSpace& cavity = world.cavities[*visit.cavity];
     const std::vector<FlightLabel> labels = labels_inside(cavity);
     for (const FlightLabel* label : seen_names(visit, labels, cavity.walls)) add(label->words, label->at);
   }
-  if (visit.cavity && visit.wall_depth) {
+  if (visit.cavity && visit.chosen.wall_depth) {
     const FlightSpace& cavity = world.cavities[*visit.cavity];
     const std::vector<FlightLabel> depths = depth_labels(cavity, world.model.depth_step_mm);
     for (const FlightLabel* label : seen_names(visit, depths, cavity.walls)) add(label->words, label->at);
@@ -88,15 +88,15 @@ std::vector<glm::dvec3> room_marks(const Visit& visit, const HeadsetInput& input
   const auto line = [&](const glm::dvec3& from, const glm::dvec3& to) { lines.insert(lines.end(), {from, to}); };
   for (std::size_t i = 0; i < input.hands.size(); ++i) {
     const HandInput& hand = input.hands[i];
-    if (!hand.tracked || visit.on_panel[i]) continue;
-    const std::optional<Hit>& hit = visit.pointed[i];
-    const bool meets = hit || visit.on_frame[i];
-    const glm::dvec3 end = visit.on_frame[i] ? *visit.on_frame[i]
-                           : hit             ? to_room(visit.stage, hit->point_mm)
-                                             : hand.aim.position + ray * hand.aim.ahead();
-    if (visit.leap_mm[i]) {  // a star where the trigger leads, when it is let go
+    if (!hand.tracked || visit.hands.on_panel[i]) continue;
+    const std::optional<Hit>& hit = visit.hands.pointed[i];
+    const bool meets = hit || visit.hands.on_frame[i];
+    const glm::dvec3 end = visit.hands.on_frame[i] ? *visit.hands.on_frame[i]
+                           : hit                   ? to_room(visit.stage, hit->point_mm)
+                                                   : hand.aim.position + ray * hand.aim.ahead();
+    if (visit.hands.leap_mm[i]) {  // a star where the trigger leads, when it is let go
       constexpr double arm = 0.06;
-      const glm::dvec3 there = to_room(visit.stage, *visit.leap_mm[i]);
+      const glm::dvec3 there = to_room(visit.stage, *visit.hands.leap_mm[i]);
       line(hand.aim.position, there);
       for (const glm::dvec3& axis : {glm::dvec3(arm, 0, 0), glm::dvec3(0, arm, 0), glm::dvec3(0, 0, arm)})
         line(there - axis, there + axis);
@@ -106,9 +106,9 @@ std::vector<glm::dvec3> room_marks(const Visit& visit, const HeadsetInput& input
     if (meets) line(end, end);
   }
   for (const Billboard& billboard : billboards(visit, input, world)) line(billboard.of, billboard.of);
-  for (const Hit& hit : visit.ends) line(to_room(visit.stage, hit.point_mm), to_room(visit.stage, hit.point_mm));
-  if (visit.ends.size() == 2)
-    line(to_room(visit.stage, visit.ends[0].point_mm), to_room(visit.stage, visit.ends[1].point_mm));
+  for (const Hit& hit : visit.marks.ends) line(to_room(visit.stage, hit.point_mm), to_room(visit.stage, hit.point_mm));
+  if (visit.marks.ends.size() == 2)
+    line(to_room(visit.stage, visit.marks.ends[0].point_mm), to_room(visit.stage, visit.marks.ends[1].point_mm));
   if (visit.scene.section && !visit.cavity) {
     const SectionFrame frame = section_frame(*visit.scene.section, visit.stage, world.model);
     for (std::size_t i = 0; i < frame.size(); ++i) line(frame[i], frame[(i + 1) % frame.size()]);

@@ -70,7 +70,7 @@ Depths EyePainter::draw(const Visit& visit, const HeadsetInput& input, const Vis
         {view_of(visit.stage, eyes[i], world.model), targets[i], i < hidden.size() ? masked(i, *hidden[i]) : nullptr});
     depths.push_back(range_of(panes.back().view, visit.stage));
   }
-  const bool dark = visit.dark >= 1;
+  const bool dark = visit.seen.dark >= 1;
   if (!dark) {
     GpuVolume* const volume = volume_of(scene);
     const double begin = clock_seconds();
@@ -101,7 +101,7 @@ void EyePainter::show_marks(const Visit& visit, const HeadsetInput& input, const
     return glm::vec3(metres_per_mm * (to_model(visit.stage, place) - model.origin_mm));
   };
   for (const glm::dvec3& point : room_marks(visit, input, world)) lines.points.push_back(in_model(point));
-  if (visit.told > 0)
+  if (visit.seen.told > 0)
     for (const glm::dvec3& point : scale_mark(visit.stage, model, input.head.position))
       lines.points.push_back(in_model(point));
   marks_ = lines.points.empty() ? GpuOverlay{} : upload(*gl_, Overlay{{lines}, {}});
@@ -116,7 +116,7 @@ void EyePainter::show_marks(const Visit& visit, const HeadsetInput& input, const
 
 void EyePainter::ease(const Visit& visit, const FieldOfView& field, const Target& target) const {
   constexpr double unseen = 1e-3;
-  if (visit.dark < unseen && visit.vignette < unseen) return;
+  if (visit.seen.dark < unseen && visit.seen.vignette < unseen) return;
   gl_->BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
   gl_->Viewport(target.left, target.bottom, target.size.width, target.size.height);
   gl_->Disable(GL_DEPTH_TEST);
@@ -124,8 +124,8 @@ void EyePainter::ease(const Visit& visit, const FieldOfView& field, const Target
   gl_->Enable(GL_BLEND);
   gl_->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   ease_.use();
-  ease_.set("dark", static_cast<float>(visit.dark));
-  ease_.set("vignette", static_cast<float>(visit.vignette));
+  ease_.set("dark", static_cast<float>(visit.seen.dark));
+  ease_.set("vignette", static_cast<float>(visit.seen.vignette));
   ease_.set("low", glm::vec2(std::tan(field.left), std::tan(field.down)));
   ease_.set("high", glm::vec2(std::tan(field.right), std::tan(field.up)));
   ease_.set("corner", glm::vec2(target.left, target.bottom));

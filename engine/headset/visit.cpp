@@ -22,7 +22,7 @@ glm::dvec3 facing(const Camera& camera) { return camera.position - camera.target
 void go(Visit& visit, const Visit::Way& way, const HeadsetInput& input, const VisitWorld& world,
         const ComfortRules& rules) {
   visit.velocity = glm::dvec3(0);
-  visit.leap_mm = {};
+  visit.hands.leap_mm = {};
   visit.at_wall = false;
   if (way.to_mm) {
     visit.eye_mm = *way.to_mm;
@@ -30,7 +30,7 @@ void go(Visit& visit, const Visit::Way& way, const HeadsetInput& input, const Vi
     return;
   }
   if (!visit.cavity) visit.stage_outside = visit.stage;
-  visit.tour.reset();
+  visit.tour.ride.reset();
   if (way.into) {
     const FlightSpace& cavity = world.cavities[*way.into];
     visit.stage = inside(cavity, input.head, world.model, rules);
@@ -40,17 +40,17 @@ void go(Visit& visit, const Visit::Way& way, const HeadsetInput& input, const Vi
     visit.stage = visit.stage_outside;
   }
   visit.cavity = way.into;
-  visit.held = {};
-  visit.pointed = {};
-  visit.on_frame = {};
-  visit.named.reset();
-  visit.ends.clear();  // they are seen from one side of the wall only
+  visit.hands.held = {};
+  visit.hands.pointed = {};
+  visit.hands.on_frame = {};
+  visit.marks.named.reset();
+  visit.marks.ends.clear();  // they are seen from one side of the wall only
 }
 
 void fade(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds) {
   const double share = seconds / rules.fade_seconds;
-  visit.dark = std::clamp(visit.dark + (visit.way ? share : -share), 0.0, 1.0);
-  if (!visit.way || visit.dark < 1) return;
+  visit.seen.dark = std::clamp(visit.seen.dark + (visit.way ? share : -share), 0.0, 1.0);
+  if (!visit.way || visit.seen.dark < 1) return;
   go(visit, *visit.way, input, world, rules);
   visit.way.reset();
 }
@@ -81,25 +81,25 @@ Scene scene_of(const Visit& visit, const VisitWorld& world) {
   if (!visit.cavity) return visit.scene;
   const FlightSpace& space = world.cavities[*visit.cavity];
   Scene inside = seen_within(visit.scene, world.model, space.wall(), lamp_reach * space.clearance_mm);
-  inside.wall_depth = visit.wall_depth;
+  inside.wall_depth = visit.chosen.wall_depth;
   return inside;
 }
 
 Visit advance_visit(Visit visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules,
                     double seconds) {
-  visit.pulse = {};
+  visit.hands.pulse = {};
   if (!input.head_tracked) return visit;
   const double magnified = visit.stage.magnification;
   place(visit, input, world);
   if (!input.focused) {  // what was held is let go; nothing jumps when the focus comes back
-    visit.held = {};
-    visit.before = {};
-    visit.pointed = {};
-    visit.on_panel = {};
-    visit.on_frame = {};
-    visit.leap_mm = {};
-    visit.pressing = {};
-    visit.menu_held = {-1, -1};
+    visit.hands.held = {};
+    visit.hands.before = {};
+    visit.hands.pointed = {};
+    visit.hands.on_panel = {};
+    visit.hands.on_frame = {};
+    visit.hands.leap_mm = {};
+    visit.hands.pressing = {};
+    visit.hands.menu_held = {-1, -1};
     visit.velocity = glm::dvec3(0);
     return visit;
   }
@@ -118,13 +118,13 @@ Visit advance_visit(Visit visit, const HeadsetInput& input, const VisitWorld& wo
   }
   constexpr double told_for = 3;
   if (!visit.cavity && visit.stage.magnification != magnified)
-    visit.told = told_for;
+    visit.seen.told = told_for;
   else
-    visit.told = std::max(0.0, visit.told - seconds);
+    visit.seen.told = std::max(0.0, visit.seen.told - seconds);
   const double speed = visit.cavity ? glm::length(visit.velocity) / mm_per_metre(visit.stage) / rules.most_speed : 0;
   const double share = 1 - std::exp(-seconds / rules.vignette_seconds);
-  visit.vignette += share * (std::min(speed, 1.0) - visit.vignette);
-  visit.before = input.hands;
+  visit.seen.vignette += share * (std::min(speed, 1.0) - visit.seen.vignette);
+  visit.hands.before = input.hands;
   return visit;
 }
 

@@ -69,6 +69,52 @@ enum class VisitAction {
   leave_headset
 };
 
+/// What the two hands did last, and what they do now.
+struct VisitHands {
+  enum class Held { nothing, model, panel, section };
+
+  std::array<HandInput, 2> before;
+  std::array<Held, 2> held{};
+  std::array<std::optional<Hit>, 2> pointed;          // what they point at, unless it is the panel
+  std::array<std::optional<glm::dvec3>, 2> on_frame;  // the place of the section's frame that they mean, in the room
+  std::array<std::optional<PanelPlace>, 2> on_panel;  // of those that point at it, or hold a press that began on it
+  std::array<bool, 2> pressing{};                     // that press
+  std::array<double, 2> menu_held{};                  // seconds; below 0: it has done what it does when held
+  std::array<std::optional<glm::dvec3>, 2> leap_mm;   // where a trigger would lead when it is let go
+  std::array<double, 2> pulse{};                      // what they shall feel of this step, 0 to 1
+};
+
+/// What passes over what is seen.
+struct VisitSight {
+  double dark = 0;      // of the fade: 1 hides everything
+  double vignette = 0;  // 0 to 1
+  double told = 0;      // seconds for which the magnification is still to be seen
+};
+
+/// Along a canal, inside.
+struct VisitTour {
+  std::optional<Ride> ride;
+  glm::dvec3 off_mm{0};       // where the head leans
+  double speed_factor = 0.5;  // the person's part of the usual pace
+  /// Of rideable(), of the cavity one is in, else of the largest; begun in the next step.
+  std::optional<std::size_t> asked;
+};
+
+/// What was pointed out.
+struct VisitMarks {
+  std::optional<Hit> named;  // what a trigger met last
+  std::vector<Hit> ends;     // of a distance: one or two
+};
+
+/// Chosen on the panel.
+struct VisitChoices {
+  bool db = false;  // the other method's model is wanted in place of the certified one
+  HandTool tool = HandTool::look;
+  Travel travel = Travel::glide;
+  bool labels = true;      // names of canals, inside
+  bool wall_depth = true;  // Scene::wall_depth, inside
+};
+
 struct Visit {
   /// Where a fade leads.
   struct Way {
@@ -77,45 +123,24 @@ struct Visit {
     std::optional<glm::dvec3> to_mm = {};   // a leap within the cavity, nothing else
     friend bool operator==(const Way&, const Way&) = default;
   };
-  enum class Held { nothing, model, panel, section };
+  using Held = VisitHands::Held;
 
   Stage stage;
   bool placed = false;                      // before the person, once there is one
   Scene scene;                              // as seen from outside: the world's, and what was changed on the panel
-  bool db = false;                          // the other method's model is wanted in place of the certified one
   std::optional<Section> section_put_away;  // what switching the section off and on again brings back
   std::optional<std::size_t> cavity;        // that one is in
   Stage stage_outside;                      // to come back to
   glm::dvec3 eye_mm{0}, velocity{0};        // inside: the middle of the eyes, and mm/s that sticks and triggers gave it
-  std::array<HandInput, 2> before;          // what the hands did last
-  std::array<Held, 2> held{};
-  std::array<std::optional<Hit>, 2> pointed;  // what the hands point at, unless it is the panel
+  bool at_wall = false;                     // the head's ball touches it
+  VisitHands hands;
   std::optional<Way> way;
-  double dark = 0;      // of the fade: 1 hides everything
-  double vignette = 0;  // 0 to 1
-  double told = 0;      // seconds for which the magnification is still to be seen
-
-  std::array<std::optional<glm::dvec3>, 2> on_frame;  // the place of the section's frame that a hand means, in the room
-
+  VisitSight seen;
   std::optional<RoomPanel> panel;
-  std::array<std::optional<PanelPlace>, 2> on_panel;  // of the hands that point at it, or hold a press that began on it
-  std::array<bool, 2> pressing{};                     // that press
-  std::array<double, 2> menu_held{};                  // seconds; below 0: it has done what it does when held
-  HandTool tool = HandTool::look;
-  Travel travel = Travel::glide;
-  std::array<std::optional<glm::dvec3>, 2> leap_mm;  // where a hand's trigger would lead when it is let go
-  bool at_wall = false;                              // the head's ball touches it
-  std::array<double, 2> pulse{};                     // what the hands shall feel of this step, 0 to 1
-  std::optional<Hit> named;                          // what a trigger met last
-  std::vector<Hit> ends;                             // of a distance: one or two
-  std::optional<Ride> tour;                          // inside, along a canal
-  glm::dvec3 off_tour_mm{0};                         // where the head leans
-  double tour_speed_factor = 0.5;                    // the person's part of the usual pace
-  bool labels = true;                                // names of canals, inside
-  bool wall_depth = true;                            // Scene::wall_depth, inside
+  VisitChoices chosen;
+  VisitMarks marks;
+  VisitTour tour;
   std::vector<VisitAction> pending_actions;
-  std::optional<std::size_t>
-      tour_asked;        // of rideable(), of the cavity one is in, else of the largest; begun in the next step
   bool leaving = false;  // asked for on the panel: the headset itself
 };
 

@@ -46,27 +46,28 @@ Visit::Held held_outside(Visit::Held held, const HandInput& before, const HandIn
 void point_at_frame(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
   for (std::size_t i = 0; i < 2; ++i) {
     const HandInput& hand = input.hands[i];
-    visit.on_frame[i].reset();
-    if (visit.scene.section && hand.tracked && !at_panel(visit, i) && visit.held[i] != Visit::Held::model)
-      visit.on_frame[i] = meant(section_frame(*visit.scene.section, visit.stage, world.model), hand.grip, hand.aim);
-    if (visit.on_frame[i] || visit.held[i] == Visit::Held::section) visit.pointed[i].reset();
-    if (visit.held[i] == Visit::Held::section && !visit.scene.section) visit.held[i] = Visit::Held::nothing;
+    visit.hands.on_frame[i].reset();
+    if (visit.scene.section && hand.tracked && !at_panel(visit, i) && visit.hands.held[i] != Visit::Held::model)
+      visit.hands.on_frame[i] =
+          meant(section_frame(*visit.scene.section, visit.stage, world.model), hand.grip, hand.aim);
+    if (visit.hands.on_frame[i] || visit.hands.held[i] == Visit::Held::section) visit.hands.pointed[i].reset();
+    if (visit.hands.held[i] == Visit::Held::section && !visit.scene.section) visit.hands.held[i] = Visit::Held::nothing;
   }
 }
 
 void carry(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
   for (std::size_t i = 0; i < 2; ++i)
-    if (visit.held[i] == Visit::Held::section)
+    if (visit.hands.held[i] == Visit::Held::section)
       visit.scene.section =
-          carried(*visit.scene.section, visit.stage, visit.before[i].grip, input.hands[i].grip, world.model);
-  const auto holds = [&](std::size_t i) { return visit.held[i] == Visit::Held::model; };
+          carried(*visit.scene.section, visit.stage, visit.hands.before[i].grip, input.hands[i].grip, world.model);
+  const auto holds = [&](std::size_t i) { return visit.hands.held[i] == Visit::Held::model; };
   if (holds(0) && holds(1)) {
-    visit.stage = carried(visit.stage, {visit.before[0].grip.position, visit.before[1].grip.position},
+    visit.stage = carried(visit.stage, {visit.hands.before[0].grip.position, visit.hands.before[1].grip.position},
                           {input.hands[0].grip.position, input.hands[1].grip.position});
     return;
   }
   for (std::size_t i = 0; i < 2; ++i)
-    if (holds(i)) visit.stage = carried(visit.stage, visit.before[i].grip, input.hands[i].grip);
+    if (holds(i)) visit.stage = carried(visit.stage, visit.hands.before[i].grip, input.hands[i].grip);
 }
 
 /// The sticks outside: turn the tooth by steps, push it away or bring it nearer.
@@ -74,7 +75,7 @@ void turn_and_bring(Visit& visit, const HeadsetInput& input, const VisitWorld& w
                     double seconds) {
   constexpr double nearest = 0.25, farthest = 4;  // metres from the head to the model's middle
   for (std::size_t i = 0; i < 2; ++i) {
-    const int snap = snap_of(visit.before[i], input.hands[i]);
+    const int snap = snap_of(visit.hands.before[i], input.hands[i]);
     if (snap != 0)
       visit.stage = turned_about(visit.stage, centre_of(visit, world), snap * glm::radians(rules.snap_turn_deg));
     const glm::dvec3 away = centre_of(visit, world) - input.head.position;
@@ -102,22 +103,22 @@ void point_at_model(Visit& visit, const HeadsetInput& input, const VisitWorld& w
   const Scene scene = scene_of(visit, world);
   for (std::size_t i = 0; i < 2; ++i) {
     const HandInput& hand = input.hands[i];
-    visit.pointed[i].reset();
+    visit.hands.pointed[i].reset();
     if (!hand.tracked || at_panel(visit, i)) continue;
     const Ray ray{to_model(visit.stage, hand.aim.position), direction_to_model(visit.stage, hand.aim.ahead())};
-    visit.pointed[i] = pick(world.pickable, scene, ray, {.least_opacity = 1});
-    if (!visit.pointed[i]) visit.pointed[i] = pick(world.pickable, scene, ray, {.least_opacity = faintest});
+    visit.hands.pointed[i] = pick(world.pickable, scene, ray, {.least_opacity = 1});
+    if (!visit.hands.pointed[i]) visit.hands.pointed[i] = pick(world.pickable, scene, ray, {.least_opacity = faintest});
   }
 }
 
 bool use_tool(Visit& visit, std::size_t hand) {
-  const std::optional<Hit>& hit = visit.pointed[hand];
+  const std::optional<Hit>& hit = visit.hands.pointed[hand];
   if (!hit) return false;
-  if (visit.tool == HandTool::distance) {
-    if (visit.ends.size() == 2) visit.ends.clear();
-    visit.ends.push_back(*hit);
+  if (visit.chosen.tool == HandTool::distance) {
+    if (visit.marks.ends.size() == 2) visit.marks.ends.clear();
+    visit.marks.ends.push_back(*hit);
   } else {
-    visit.named = hit;
+    visit.marks.named = hit;
   }
   return true;
 }
@@ -127,11 +128,12 @@ void step_outside(Visit& visit, const HeadsetInput& input, const VisitWorld& wor
   point_at_model(visit, input, world);
   point_at_frame(visit, input, world);
   for (std::size_t i = 0; i < 2; ++i) {
-    const HandInput &hand = input.hands[i], &before = visit.before[i];
-    const bool looks = visit.tool == HandTool::look && visit.pointed[i];
-    const std::optional<std::size_t> cavity = looks ? cavity_of(*visit.pointed[i], world) : std::nullopt;
-    const bool taken = at_panel(visit, i) || cavity || (visit.tool == HandTool::distance && visit.pointed[i]);
-    visit.held[i] = held_outside(visit.held[i], before, hand, taken, visit.on_frame[i].has_value());
+    const HandInput &hand = input.hands[i], &before = visit.hands.before[i];
+    const bool looks = visit.chosen.tool == HandTool::look && visit.hands.pointed[i];
+    const std::optional<std::size_t> cavity = looks ? cavity_of(*visit.hands.pointed[i], world) : std::nullopt;
+    const bool taken =
+        at_panel(visit, i) || cavity || (visit.chosen.tool == HandTool::distance && visit.hands.pointed[i]);
+    visit.hands.held[i] = held_outside(visit.hands.held[i], before, hand, taken, visit.hands.on_frame[i].has_value());
     if (at_panel(visit, i) || !pulled(visit, input, i)) continue;
     const bool did = cavity || use_tool(visit, i);
     if (cavity) visit.way = Visit::Way{cavity};

@@ -17,8 +17,8 @@ glm::dvec3 wanted_way(const Visit& visit, const HeadsetInput& input) {
   for (std::size_t i = 0; i < 2; ++i) {
     const HandInput& hand = input.hands[i];
     if (!hand.tracked) continue;
-    if (visit.travel != Travel::glide) continue;
-    const bool glides = visit.tool == HandTool::look && !at_panel(visit, i);
+    if (visit.chosen.travel != Travel::glide) continue;
+    const bool glides = visit.chosen.tool == HandTool::look && !at_panel(visit, i);
     way += (glides ? hand.trigger : 0) * hand.aim.ahead() + along(hand) * input.head.ahead();
     const bool strafes = i == 0 && std::abs(hand.stick.x) > stick_at_rest;  // the right stick turns
     if (strafes) way += hand.stick.x * (input.head.turn * glm::dvec3(1, 0, 0));
@@ -66,23 +66,24 @@ void leap(Visit& visit, const HeadsetInput& input, const FlightSpace& cavity, do
       least = 0.5;  // of the way to the wall, so that it is not before one's nose; clearances that are worth it
   for (std::size_t i = 0; i < 2; ++i) {
     const HandInput& hand = input.hands[i];
-    const bool may =
-        visit.travel == Travel::leap && visit.tool == HandTool::look && hand.tracked && !at_panel(visit, i);
-    const bool let_go = visit.leap_mm[i] && hand.trigger < released_below;
-    const bool is_away = visit.leap_mm[i] && glm::length(*visit.leap_mm[i] - visit.eye_mm) > 0.5 * least * clearance;
+    const bool may = visit.chosen.travel == Travel::leap && visit.chosen.tool == HandTool::look && hand.tracked &&
+                     !at_panel(visit, i);
+    const bool let_go = visit.hands.leap_mm[i] && hand.trigger < released_below;
+    const bool is_away =
+        visit.hands.leap_mm[i] && glm::length(*visit.hands.leap_mm[i] - visit.eye_mm) > 0.5 * least * clearance;
     if (may && let_go && is_away && !visit.way) {
-      visit.way = Visit::Way{visit.cavity, {}, visit.leap_mm[i]};
+      visit.way = Visit::Way{visit.cavity, {}, visit.hands.leap_mm[i]};
       feel(visit, i, tap);
     }
-    const bool aims = may && (visit.leap_mm[i] ? !let_go : pulled(visit, input, i));
-    visit.leap_mm[i].reset();
-    if (!aims || !visit.pointed[i]) continue;
-    const glm::dvec3 way = visit.pointed[i]->point_mm - visit.eye_mm;
+    const bool aims = may && (visit.hands.leap_mm[i] ? !let_go : pulled(visit, input, i));
+    visit.hands.leap_mm[i].reset();
+    if (!aims || !visit.hands.pointed[i]) continue;
+    const glm::dvec3 way = visit.hands.pointed[i]->point_mm - visit.eye_mm;
     const double length = glm::length(way);
     if (!(length > 0)) continue;
     const double free = share * free_way(cavity.walls, visit.eye_mm, way / length, length, clearance);
-    visit.leap_mm[i] = visit.eye_mm + std::max(free, 0.0) * way / length;
-    if (free < least * clearance) visit.leap_mm[i] = visit.eye_mm;  // shown as nowhere to go, and it stays aimed
+    visit.hands.leap_mm[i] = visit.eye_mm + std::max(free, 0.0) * way / length;
+    if (free < least * clearance) visit.hands.leap_mm[i] = visit.eye_mm;  // shown as nowhere to go, and it stays aimed
   }
 }
 
@@ -115,22 +116,23 @@ FlightRules flight_rules(const Stage& stage, const ComfortRules& rules) {
 
 void step_inside(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules,
                  double seconds) {
-  if (visit.tour)
+  if (visit.tour.ride)
     step_tour(visit, input, rules, seconds);
   else
     glide(visit, input, world, rules, seconds);
   const FlightSpace& cavity = world.cavities[*visit.cavity];
   const double clearance = rules.clearance * mm_per_metre(visit.stage);
   for (std::size_t i = 0; i < 2; ++i) {
-    const bool turns = i == 1 || visit.tour || visit.travel == Travel::leap;  // else the left one goes sideways
-    if (const int snap = snap_of(visit.before[i], input.hands[i]); turns && snap != 0)
+    const bool turns =
+        i == 1 || visit.tour.ride || visit.chosen.travel == Travel::leap;  // else the left one goes sideways
+    if (const int snap = snap_of(visit.hands.before[i], input.hands[i]); turns && snap != 0)
       visit.stage = turned_about(visit.stage, input.head.position, snap * glm::radians(rules.snap_turn_deg));
   }
   feel_wall(visit, input, cavity, clearance);
   point_at_model(visit, input, world);
-  if (!visit.tour) leap(visit, input, cavity, clearance);
+  if (!visit.tour.ride) leap(visit, input, cavity, clearance);
   for (std::size_t i = 0; i < 2; ++i)
-    if (visit.tool == HandTool::distance && !at_panel(visit, i) && pulled(visit, input, i) && use_tool(visit, i))
+    if (visit.chosen.tool == HandTool::distance && !at_panel(visit, i) && pulled(visit, input, i) && use_tool(visit, i))
       feel(visit, i, tap);
 }
 

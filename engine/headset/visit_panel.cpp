@@ -33,16 +33,6 @@ void on_short_press(Visit& visit, const HeadsetInput& input, const VisitWorld& w
     visit.panel = fetched(visit, input, world, hand == 0 ? -1 : 1);
 }
 
-void toggle_section(Visit& visit, const VisitWorld& world) {
-  if (visit.scene.section) {
-    visit.section_put_away = std::exchange(visit.scene.section, std::nullopt);
-    return;
-  }
-  visit.scene.section = visit.section_put_away
-                            ? *visit.section_put_away
-                            : with_offset({world.model.bounds_mm.centre(), AnatomicalFrame{}.buccal}, 0, world.model);
-}
-
 }  // namespace
 
 void change_size(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
@@ -54,8 +44,8 @@ void change_size(Visit& visit, const HeadsetInput& input, const VisitWorld& worl
 void use_menu(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules,
               double seconds) {
   for (std::size_t i = 0; i < 2; ++i) {
-    double& held = visit.menu_held[i];
-    const bool down = input.hands[i].menu, was_down = visit.before[i].menu;
+    double& held = visit.hands.menu_held[i];
+    const bool down = input.hands[i].menu, was_down = visit.hands.before[i].menu;
     if (down && !was_down) held = 0;
     if (down && held >= 0) held += seconds;
     if (down && held >= rules.menu_seconds) {
@@ -72,31 +62,31 @@ void use_menu(Visit& visit, const HeadsetInput& input, const VisitWorld& world, 
 void point_at_panel(Visit& visit, const HeadsetInput& input) {
   for (std::size_t i = 0; i < 2; ++i) {
     const HandInput& hand = input.hands[i];
-    visit.on_panel[i].reset();
+    visit.hands.on_panel[i].reset();
     const std::optional<PanelPlace> aimed =
         visit.panel && hand.tracked ? aimed_at(*visit.panel, hand.aim) : std::nullopt;
-    if (!aimed || !(visit.pressing[i] ? hand.trigger >= released_below : true)) visit.pressing[i] = false;
-    if (!aimed || visit.held[i] == Visit::Held::model) continue;
+    if (!aimed || !(visit.hands.pressing[i] ? hand.trigger >= released_below : true)) visit.hands.pressing[i] = false;
+    if (!aimed || visit.hands.held[i] == Visit::Held::model) continue;
     if (aimed->on_it() && pulled(visit, input, i)) {
-      visit.pressing[i] = true;
+      visit.hands.pressing[i] = true;
       feel(visit, i, tap);
     }
-    if (aimed->on_it() || visit.pressing[i]) visit.on_panel[i] = aimed;
+    if (aimed->on_it() || visit.hands.pressing[i]) visit.hands.on_panel[i] = aimed;
   }
   for (std::size_t i = 0; i < 2; ++i) {
     const HandInput& hand = input.hands[i];
-    if (visit.held[i] == Visit::Held::panel && (!visit.panel || !hand.tracked || hand.grab < released_below))
-      visit.held[i] = Visit::Held::nothing;
-    if (visit.held[i] == Visit::Held::panel)
-      visit.panel = carried(*visit.panel, visit.before[i].grip, hand.grip);
-    else if (at_panel(visit, i) && hand.can_grab && visit.before[i].tracked &&
-             went_down(visit.before[i].grab, hand.grab))
-      visit.held[i] = Visit::Held::panel;
+    if (visit.hands.held[i] == Visit::Held::panel && (!visit.panel || !hand.tracked || hand.grab < released_below))
+      visit.hands.held[i] = Visit::Held::nothing;
+    if (visit.hands.held[i] == Visit::Held::panel)
+      visit.panel = carried(*visit.panel, visit.hands.before[i].grip, hand.grip);
+    else if (at_panel(visit, i) && hand.can_grab && visit.hands.before[i].tracked &&
+             went_down(visit.hands.before[i].grab, hand.grab))
+      visit.hands.held[i] = Visit::Held::panel;
   }
 }
 
 void perform(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
-  if (const auto line = std::exchange(visit.tour_asked, {}); line && !world.cavities.empty())
+  if (const auto line = std::exchange(visit.tour.asked, {}); line && !world.cavities.empty())
     visit.way = Visit::Way{visit.cavity.value_or(0), line};
   for (const VisitAction action : std::exchange(visit.pending_actions, {})) {
     switch (action) {
@@ -110,33 +100,31 @@ void perform(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
         if (!visit.cavity) change_size(visit, input, world);
         break;
       case VisitAction::toggle_section:
-        toggle_section(visit, world);
+        toggle_section(visit.scene.section, visit.section_put_away,
+                       with_offset({world.model.bounds_mm.centre(), AnatomicalFrame{}.buccal}, 0, world.model));
         break;
       case VisitAction::flip_section:
         if (visit.scene.section) visit.scene.section->normal = -visit.scene.section->normal;
         break;
       case VisitAction::forget_marks:
-        visit.ends.clear();
-        visit.named.reset();
+        visit.marks.ends.clear();
+        visit.marks.named.reset();
         break;
       case VisitAction::show_dt:
-        visit.db = false;
+        visit.chosen.db = false;
         break;
       case VisitAction::show_db:
-        visit.db = true;  // what one method hides, the other must hide as well
-        for (Look& look : visit.scene.looks) look.opacity = 1;
-        visit.scene.back_faces = BackFaces::cull;
+        visit.chosen.db = true;  // what one method hides, the other must hide as well
+        make_opaque(visit.scene);
         break;
       case VisitAction::tour_play:
-        if (visit.tour) play(*visit.tour);
+        if (visit.tour.ride) play(*visit.tour.ride);
         break;
       case VisitAction::tour_back:
-        if (!visit.tour) break;
-        visit.tour->back = !visit.tour->back;
-        visit.tour->playing = true;
+        if (visit.tour.ride) turn_round(*visit.tour.ride);
         break;
       case VisitAction::end_tour:
-        visit.tour.reset();
+        visit.tour.ride.reset();
         break;
       case VisitAction::put_panel_away:
         visit.panel.reset();
@@ -153,7 +141,7 @@ void perform(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
 std::optional<std::size_t> panel_hand(const Visit& visit) {
   for (const bool presses : {true, false})
     for (const std::size_t i : {1u, 0u})
-      if (visit.on_panel[i] && visit.pressing[i] == presses) return i;
+      if (visit.hands.on_panel[i] && visit.hands.pressing[i] == presses) return i;
   return std::nullopt;
 }
 

@@ -14,15 +14,15 @@ inline constexpr double stick_at_rest = 0.15;
 
 inline bool went_down(double before, double now) { return before <= pressed_above && now > pressed_above; }
 inline bool pulled(const Visit& visit, const HeadsetInput& input, std::size_t hand) {
-  return visit.before[hand].tracked && went_down(visit.before[hand].trigger, input.hands[hand].trigger);
+  return visit.hands.before[hand].tracked && went_down(visit.hands.before[hand].trigger, input.hands[hand].trigger);
 }
 /// The hand's ray and trigger are the panel's.
-inline bool at_panel(const Visit& visit, std::size_t hand) { return visit.on_panel[hand].has_value(); }
+inline bool at_panel(const Visit& visit, std::size_t hand) { return visit.hands.on_panel[hand].has_value(); }
 
 /// What a hand feels: that a trigger did something, that there is a wall.
 inline constexpr double tap = 0.4, knock = 0.7;
 inline void feel(Visit& visit, std::size_t hand, double strength) {
-  visit.pulse[hand] = std::max(visit.pulse[hand], strength);
+  visit.hands.pulse[hand] = std::max(visit.hands.pulse[hand], strength);
 }
 
 /// +1 or -1 in the moment in which the stick is pushed to a side.

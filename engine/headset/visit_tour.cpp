@@ -50,8 +50,8 @@ double speed_near(const Ride& tour, double reach) {
 FlightRules tour_rules(const Visit& visit, const ComfortRules& rules, double seconds) {
   FlightRules flight = flight_rules(visit.stage, rules);
   flight.speed_factor =
-      std::min(visit.tour_speed_factor,
-               flight.most_speed / std::max(speed_near(*visit.tour, flight.most_speed * seconds), 1e-9));
+      std::min(visit.tour.speed_factor,
+               flight.most_speed / std::max(speed_near(*visit.tour.ride, flight.most_speed * seconds), 1e-9));
   return flight;
 }
 
@@ -70,9 +70,9 @@ void begin_tour(Visit& visit, const FlightSpace& cavity, std::size_t number, con
   tour.along = first.along;
   tour.playing = true;
   visit.eye_mm = first.at;
-  visit.off_tour_mm = glm::dvec3(0);
+  visit.tour.off_mm = glm::dvec3(0);
   visit.stage = moved(stage, input.head.position - to_room(stage, visit.eye_mm));
-  visit.tour = std::move(tour);
+  visit.tour.ride = std::move(tour);
 }
 
 void play(Ride& tour) {
@@ -83,11 +83,11 @@ void play(Ride& tour) {
 }
 
 void step_tour(Visit& visit, const HeadsetInput& input, const ComfortRules& rules, double seconds) {
-  Ride& tour = *visit.tour;
+  Ride& tour = *visit.tour.ride;
   for (std::size_t i = 0; i < 2; ++i) {
     if (at_panel(visit, i)) continue;
-    if (visit.tool == HandTool::look && pulled(visit, input, i)) play(tour);
-    const double now = input.hands[i].stick.y, was = visit.before[i].stick.y;
+    if (visit.chosen.tool == HandTool::look && pulled(visit, input, i)) play(tour);
+    const double now = input.hands[i].stick.y, was = visit.hands.before[i].stick.y;
     if (std::abs(now) > pressed_above && std::abs(was) <= pressed_above) {
       tour.back = now < 0;
       tour.playing = true;
@@ -103,11 +103,11 @@ void step_tour(Visit& visit, const HeadsetInput& input, const ComfortRules& rule
     for (std::size_t i = 0; i < 2; ++i) feel(visit, i, tap);
   const Track::Point place = place_on(tour.track, tour.along);
   // The head leans within the ball about the line that holds no wall.
-  glm::dvec3 off = visit.off_tour_mm + to_model(visit.stage, input.head.position) - visit.eye_mm;
+  glm::dvec3 off = visit.tour.off_mm + to_model(visit.stage, input.head.position) - visit.eye_mm;
   constexpr double skin = 1.03;  // between two points of the track the ball may be a little smaller
   const double most = std::max(0.0, place.radius - skin * limits.clearance), length = glm::length(off);
   if (length > most) off *= most / length;
-  visit.off_tour_mm = off;
+  visit.tour.off_mm = off;
   visit.eye_mm = place.at + off;
   visit.velocity = seconds > 0 ? (place.at - before_mm) / seconds : glm::dvec3(0);
   visit.stage = moved(visit.stage, input.head.position - to_room(visit.stage, visit.eye_mm));

@@ -45,6 +45,11 @@ struct Ride {
   bool playing = false, back = false;
   glm::dvec2 look{0};  // turned away from the line's direction by hand: radians to the right and upwards
 };
+/// The other way, at once.
+inline void turn_round(Ride& ride) {
+  ride.back = !ride.back;
+  ride.playing = true;
+}
 /// `seconds` later; it stops gently, and at the track's ends.
 void advance(Ride& ride, const FlightRules& rules, double seconds);
 /// The eye on it, turned as the hand wants.

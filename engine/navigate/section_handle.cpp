@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
+#include <utility>
 
 #include "recon/core/portable_math.h"
 
@@ -89,6 +90,13 @@ Section dragged(const Section& section, SectionGrip grip, const Camera& camera, 
   const double scale = length / std::max(foreshortened, 0.15 * reach);
   const double offset = offset_of(section, model) + scale * glm::dot(to - from, direction);
   return with_offset(section, offset, model);
+}
+
+void toggle_section(std::optional<Section>& section, std::optional<Section>& put_away, const Section& fresh) {
+  if (section)
+    put_away = std::exchange(section, std::nullopt);
+  else
+    section = put_away.value_or(fresh);
 }
 
 SectionAngles angles_of(const Section& section, const AnatomicalFrame& frame) {

@@ -36,6 +36,9 @@ double offset_of(const Section& section, const Model& model);
 /// The plane at that distance; its point is the one nearest to the model's centre.
 Section with_offset(const Section& section, double offset_mm, const Model& model);
 
+/// Away, or back as it was put away; `fresh` where none was.
+void toggle_section(std::optional<Section>& section, std::optional<Section>& put_away, const Section& fresh);
+
 /// The normal as two angles, for sliders: round the tooth's axis from buccal towards mesial, and up towards occlusal.
 struct SectionAngles {
   double round_deg = 0, up_deg = 0;

@@ -87,6 +87,11 @@ Look* Scene::look_of(std::string_view structure) {
 
 const Look* Scene::look_of(std::string_view structure) const { return const_cast<Scene*>(this)->look_of(structure); }
 
+void make_opaque(Scene& scene) {
+  for (Look& look : scene.looks) look.opacity = 1;
+  scene.back_faces = BackFaces::cull;
+}
+
 Scene usual_scene(const Model& model, double aspect) {
   Scene scene;
   scene.camera = fit(NamedView::three_quarter, model, aspect);

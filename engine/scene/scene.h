@@ -119,6 +119,9 @@ struct Scene {
   friend bool operator==(const Scene&, const Scene&) = default;
 };
 
+/// What one structure hides, nothing shows: all is opaque, and back faces are left out.
+void make_opaque(Scene& scene);
+
 /// A good first look at the model: every structure in its usual colour, from three quarters. What hides another
 /// structure is translucent: enamel over dentine, dentine over pulp, and anything whose box holds that of another
 /// structure. A cavity that nothing fills is shown as the body that would.

@@ -48,8 +48,9 @@ bool moves_in_text(Key key) {
 
 }  // namespace
 
-Interface::Interface(Clipboard clipboard)
-    : clipboard_(std::move(clipboard)), keys_down_(keys_in_all), keys_pressed_(keys_in_all) {
+Interface::Interface(Clipboard clipboard) : clipboard_(std::move(clipboard)) {
+  held_.keys_down.resize(keys_in_all);
+  held_.keys_pressed.resize(keys_in_all);
   ImGuiContext* before = ImGui::GetCurrentContext();
   context_ = ImGui::CreateContext();
   ImGui::SetCurrentContext(context_);
@@ -90,8 +91,8 @@ void Interface::feed(const Event& event) {
     io.MousePos = {static_cast<float>(move->x), static_cast<float>(move->y)};
   } else if (const auto* button = std::get_if<MouseButtonChanged>(&event)) {
     const auto i = static_cast<std::size_t>(button->button);
-    down_[i] = button->down;
-    pressed_[i] = pressed_[i] || button->down;  // a click shorter than a frame is a click all the same
+    held_.down[i] = button->down;
+    held_.pressed[i] = held_.pressed[i] || button->down;  // a click shorter than a frame is a click all the same
     hold(button->with);
   } else if (const auto* scroll = std::get_if<Scrolled>(&event)) {
     io.MouseWheel += static_cast<float>(scroll->along);
@@ -102,30 +103,30 @@ void Interface::feed(const Event& event) {
     if (meant == Key::enter && by_keys_ && !io.WantTextInput) meant = Key::space;  // ImGui's key that presses
     if (meant == Key::other || meant == Key::tab || (key->down && moves_in_text(meant) && !io.WantTextInput)) return;
     const auto i = static_cast<std::size_t>(meant);
-    keys_down_[i] = key->down;
-    keys_pressed_[i] = keys_pressed_[i] || key->down;
+    held_.keys_down[i] = key->down;
+    held_.keys_pressed[i] = held_.keys_pressed[i] || key->down;
   } else if (const auto* text = std::get_if<TextTyped>(&event)) {
     io.AddInputCharacter(text->character);
   } else if (std::get_if<FocusLost>(&event)) {
-    std::fill(keys_down_.begin(), keys_down_.end(), false);
-    std::fill(std::begin(down_), std::end(down_), false);
+    std::fill(held_.keys_down.begin(), held_.keys_down.end(), false);
+    std::fill(std::begin(held_.down), std::end(held_.down), false);
     hold({});
   }
 }
 
 void Interface::begin(const FrameInput& input) {
   ImGui::SetCurrentContext(context_);
-  if (input.scale != scale_) make_letters(input.scale);
+  if (input.scale != fonts_.scale) make_letters(input.scale);
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(input.size.width), static_cast<float>(input.size.height)};
   io.DeltaTime = std::max(static_cast<float>(input.seconds), 1e-4f);
   for (std::size_t i = 0; i < 3; ++i) {
-    const bool pressed = std::exchange(pressed_[i], false);
-    io.MouseDown[i] = down_[i] || pressed;
+    const bool pressed = std::exchange(held_.pressed[i], false);
+    io.MouseDown[i] = held_.down[i] || pressed;
   }
   for (std::size_t i = 0; i < keys_in_all; ++i) {
-    io.KeysDown[i] = keys_down_[i] || keys_pressed_[i];  // likewise
-    keys_pressed_[i] = false;
+    io.KeysDown[i] = held_.keys_down[i] || held_.keys_pressed[i];  // likewise
+    held_.keys_pressed[i] = false;
   }
   if (by_keys_)
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
@@ -139,7 +140,7 @@ void Interface::begin(const FrameInput& input) {
 void Interface::speak(Language language) {
   language_ = std::move(language);
   said_.clear();
-  scale_ = 0;  // letters anew
+  fonts_.scale = 0;  // letters anew
 }
 
 std::string Interface::say(const std::string& words) const {
@@ -161,8 +162,8 @@ ImDrawData* Interface::end() {
 }
 
 void Interface::make_letters(float scale) {
-  scale_ = scale;
-  ++font_version_;
+  fonts_.scale = scale;
+  ++fonts_.version;
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();
   ImFontGlyphRangesBuilder wanted;
@@ -171,7 +172,7 @@ void Interface::make_letters(float scale) {
   wanted.AddText(language_.name.c_str());
   ImVector<ImWchar> ranges;
   wanted.BuildRanges(&ranges);
-  ranges_.assign(ranges.begin(), ranges.end());
+  fonts_.ranges.assign(ranges.begin(), ranges.end());
   atlas.TexDesiredWidth = 1024;
   const auto add = [&](std::span<const unsigned char> bytes, float size) {
     ImFontConfig config;
@@ -179,7 +180,7 @@ void Interface::make_letters(float scale) {
     config.OversampleH = 2;
     config.OversampleV = 1;
     return atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(bytes.data()), static_cast<int>(bytes.size()),
-                                      size * scale, &config, ranges_.data());
+                                      size * scale, &config, fonts_.ranges.data());
   };
   regular = add(regular_font(), theme::text_size);
   bold = add(bold_font(), theme::text_size);

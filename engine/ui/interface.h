@@ -42,7 +42,7 @@ class Interface {
   std::string say(const std::string& words) const;
 
   /// Counts up whenever the letters were made anew.
-  int font_version() const { return font_version_; }
+  int font_version() const { return fonts_.version; }
   ImFontAtlas& font_atlas() const;
 
   /// Does a panel lie over this place of the picture, as far as the last frame knows?
@@ -89,11 +89,15 @@ class Interface {
   mutable std::unordered_map<std::string, std::string> said_;  // what is said in each frame is looked for once
   std::string copied_;
   ImGuiContext* context_ = nullptr;
-  float scale_ = 0;
-  int font_version_ = 0;
-  bool down_[3] = {}, pressed_[3] = {};
-  std::vector<bool> keys_down_, keys_pressed_;  // by Key
-  std::vector<unsigned short> ranges_;          // of letters, as ImGui wants them; they outlive the atlas
+  struct {
+    float scale = 0;
+    int version = 0;
+    std::vector<unsigned short> ranges;  // of letters, as ImGui wants them; they outlive the atlas
+  } fonts_;
+  struct {
+    bool down[3] = {}, pressed[3] = {};
+    std::vector<bool> keys_down, keys_pressed;  // by Key
+  } held_;
   bool by_keys_ = false;
   unsigned text_goes_to_ = 0;
 };

@@ -43,7 +43,7 @@ void InterfacePass::upload_letters(const Interface& interface) {
   gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_R8, width, height, 0, GL_RED, GL_UNSIGNED_BYTE, texels);
 }
 
-void InterfacePass::upload(const SlicePicture& picture) {
+void InterfacePass::upload(const GreyPicture& picture) {
   gl_->BindTexture(GL_TEXTURE_2D, picture_.id());
   gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -55,7 +55,7 @@ void InterfacePass::upload(const SlicePicture& picture) {
 }
 
 void InterfacePass::draw(const Interface& interface, const ImDrawData& drawn, const Target& target,
-                         const SlicePicture* picture) {
+                         const GreyPicture* picture) {
   gl_->ActiveTexture(GL_TEXTURE0);
   upload_letters(interface);
   if (picture && !picture->grey.empty()) upload(*picture);

@@ -212,13 +212,13 @@ bool eye(const char* id, bool& open) {
   return pressed;
 }
 
-bool swatch(const char* id, Colour& colour) {
+bool swatch(const char* id, std::array<float, 3>& colour) {
   ImGui::PushID(id);
   const float size = ImGui::GetFrameHeight();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   if (area("swatch", {size, size})) ImGui::OpenPopup("picker");
   const float inset = scaled(5);
-  const ImU32 fill = ImGui::ColorConvertFloat4ToU32({colour.red, colour.green, colour.blue, 1});
+  const ImU32 fill = ImGui::ColorConvertFloat4ToU32({colour[0], colour[1], colour[2], 1});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled({corner.x + inset, corner.y + inset}, {corner.x + size - inset, corner.y + size - inset}, fill,
                      scaled(4));
@@ -227,12 +227,10 @@ bool swatch(const char* id, Colour& colour) {
                  scaled(4), 0, scaled(1.5f));
   bool changed = false;
   if (ImGui::BeginPopup("picker")) {
-    float channels[3] = {colour.red, colour.green, colour.blue};
     ImGui::SetNextItemWidth(scaled(200));
     changed = ImGui::ColorPicker3(
-        "##colour", channels,
+        "##colour", colour.data(),
         ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueWheel);
-    if (changed) colour = {channels[0], channels[1], channels[2]};
     ImGui::EndPopup();
   }
   ImGui::PopID();
@@ -272,16 +270,16 @@ bool wide_button(const char* words, bool strong) {
   return pressed;
 }
 
-void marked(const Interface&, Certificate::Mark mark, const std::string& words) {
+void marked(const Interface&, Mark mark, const std::string& words) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float line = ImGui::GetTextLineHeight(), s = scaled(4.5f);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 middle(corner.x + scaled(6), corner.y + line / 2);
-  if (mark == Certificate::Mark::good) {
+  if (mark == Mark::good) {
     const ImVec2 tick[] = {
         {middle.x - s, middle.y}, {middle.x - s * 0.2f, middle.y + s * 0.8f}, {middle.x + s, middle.y - s * 0.8f}};
     list.AddPolyline(tick, 3, theme::good, 0, scaled(2));
-  } else if (mark == Certificate::Mark::look) {
+  } else if (mark == Mark::look) {
     list.AddLine({middle.x, middle.y - s * 1.2f}, {middle.x, middle.y + s * 0.3f}, theme::amber, scaled(2.4f));
     list.AddCircleFilled({middle.x, middle.y + s * 1.1f}, scaled(1.5f), theme::amber, 12);
   } else {
@@ -292,7 +290,7 @@ void marked(const Interface&, Certificate::Mark mark, const std::string& words) 
   wrapped(words);
 }
 
-bool marked_button(const char* id, Certificate::Mark mark, const std::string& words) {
+bool marked_button(const char* id, Mark mark, const std::string& words) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, inset = scaled(4);
   const ImVec2 text = ImGui::CalcTextSize(say(words).c_str(), nullptr, false, width - scaled(20) - inset);

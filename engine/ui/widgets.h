@@ -3,12 +3,12 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
-#include "engine/scene/colour.h"
 #include "engine/ui/interface.h"
-#include "engine/ui/loading.h"
+#include "engine/ui/mark.h"
 
 namespace odontoscope::widgets {
 
@@ -45,16 +45,16 @@ bool button(const char* words, const ImVec2& size = {0, 0});
 void text_field(const char* id);
 void noted(const char* id, bool text = true);
 
-/// A square of the colour that opens a picker.
-bool swatch(const char* id, Colour& colour);
+/// A square of the colour (red, green, blue) that opens a picker.
+bool swatch(const char* id, std::array<float, 3>& colour);
 
 /// A button over the whole width; `strong`: in the accent's colour.
 bool wide_button(const char* words, bool strong = false);
 
 /// A coloured sign (tick, exclamation mark or cross), then words.
-void marked(const Interface& interface, Certificate::Mark mark, const std::string& words);
+void marked(const Interface& interface, Mark mark, const std::string& words);
 /// The same as a button. true: pressed.
-bool marked_button(const char* id, Certificate::Mark mark, const std::string& words);
+bool marked_button(const char* id, Mark mark, const std::string& words);
 
 float scaled(float size);  // by the letters' size, so by the screen's scale
 

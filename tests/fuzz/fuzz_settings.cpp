@@ -1,5 +1,5 @@
 // Any bytes as the viewer's settings, which are never refused; what comes out must survive writing.
-#include "engine/ui/settings.h"
+#include "engine/viewer/settings.h"
 #include "tests/fuzz/fuzz_bytes.h"
 
 using namespace odontoscope;

@@ -6,7 +6,7 @@
 
 #include "engine/gpu/context.h"
 #include "engine/headset/eye_painter.h"
-#include "engine/ui/headset_lab.h"
+#include "engine/headset_viewer/headset_comparison.h"
 #include "engine/view/offscreen.h"
 #include "tests/headset/worlds.h"
 #include "tests/render/shapes.h"
@@ -22,32 +22,32 @@ std::shared_ptr<const LoadedModel> loaded_molar(bool with_contours = true) {
   return loaded;
 }
 
-LabState coarse() {
-  LabState lab;
-  lab.wanted.grid = 24;
-  return lab;
+ComparisonState coarse() {
+  ComparisonState compared;
+  compared.wanted.grid = 24;
+  return compared;
 }
 
-TEST(HeadsetLab, MakesDbWhenItIsFirstWantedAndKeepsIt) {
-  HeadsetLab lab(loaded_molar(), coarse());
-  EXPECT_TRUE(lab.possible());
-  lab.tend(false);
-  EXPECT_EQ(lab.in_words(), "");  // nobody asked
+TEST(HeadsetComparison, MakesDbWhenItIsFirstWantedAndKeepsIt) {
+  HeadsetComparison compared(loaded_molar(), coarse());
+  EXPECT_TRUE(compared.possible());
+  compared.update(false);
+  EXPECT_EQ(compared.in_words(), "");  // nobody asked
   const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  lab.tend(true);
-  EXPECT_FALSE(lab.made());
-  EXPECT_EQ(lab.in_words().rfind("Making DB", 0), 0u);
-  while (!lab.made() && std::chrono::steady_clock::now() < until) {
+  compared.update(true);
+  EXPECT_FALSE(compared.made());
+  EXPECT_EQ(compared.in_words().rfind("Making DB", 0), 0u);
+  while (!compared.made() && std::chrono::steady_clock::now() < until) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    lab.tend(false);  // looked away meanwhile
+    compared.update(false);  // looked away meanwhile
   }
-  ASSERT_TRUE(lab.made());
-  EXPECT_EQ(lab.made()->options.grid, 24u);
-  EXPECT_GT(lab.made()->cracks() + lab.made()->misoriented(), 0u);  // what the mode is there to show
-  EXPECT_NE(lab.in_words().find("grid of 24"), std::string::npos) << lab.in_words();
-  const auto made = lab.made();
-  lab.tend(true);
-  EXPECT_EQ(lab.made(), made);
+  ASSERT_TRUE(compared.made());
+  EXPECT_EQ(compared.made()->options.grid, 24u);
+  EXPECT_GT(compared.made()->cracks() + compared.made()->misoriented(), 0u);  // what the mode is there to show
+  EXPECT_NE(compared.in_words().find("grid of 24"), std::string::npos) << compared.in_words();
+  const auto made = compared.made();
+  compared.update(true);
+  EXPECT_EQ(compared.made(), made);
 
   // Both models in the same place, and the eyes see another one.
   std::unique_ptr<GlContext> context;
@@ -63,7 +63,7 @@ TEST(HeadsetLab, MakesDbWhenItIsFirstWantedAndKeepsIt) {
   Visit visit = advance_visit({}, input, dt, {}, 0.01);
   visit.pending_actions = {VisitAction::show_db};
   visit = advance_visit(visit, input, dt, {}, 0.01);
-  EXPECT_TRUE(visit.db);
+  EXPECT_TRUE(visit.chosen.db);
   EXPECT_EQ(visit.scene.back_faces, BackFaces::cull);
   for (const Look& look : visit.scene.looks) EXPECT_EQ(look.opacity, 1) << look.structure;
   constexpr PixelSize size{200, 180};
@@ -85,23 +85,23 @@ TEST(HeadsetLab, MakesDbWhenItIsFirstWantedAndKeepsIt) {
   painter.take(dt.model);
   EXPECT_EQ(seen(dt), with_dt);
   visit.pending_actions = {VisitAction::show_dt};
-  EXPECT_FALSE(advance_visit(visit, input, db, {}, 0.01).db);
+  EXPECT_FALSE(advance_visit(visit, input, db, {}, 0.01).chosen.db);
 }
 
-TEST(HeadsetLab, WithoutContoursThereIsNoDb) {
-  HeadsetLab lab(loaded_molar(false), {});
-  EXPECT_FALSE(lab.possible());
-  lab.tend(true);
-  EXPECT_EQ(lab.in_words(), "");
+TEST(HeadsetComparison, WithoutContoursThereIsNoDb) {
+  HeadsetComparison compared(loaded_molar(false), {});
+  EXPECT_FALSE(compared.possible());
+  compared.update(true);
+  EXPECT_EQ(compared.in_words(), "");
 }
 
-TEST(HeadsetLab, WhatTheDesktopMadeIsTaken) {
-  LabState state;
-  auto result = std::make_shared<LabResult>();
+TEST(HeadsetComparison, WhatTheDesktopMadeIsTaken) {
+  ComparisonState state;
+  auto result = std::make_shared<ComparisonResult>();
   result->options.grid = 40;
   state.made = result;
-  HeadsetLab lab(loaded_molar(), state);
-  EXPECT_EQ(lab.made(), result);
+  HeadsetComparison compared(loaded_molar(), state);
+  EXPECT_EQ(compared.made(), result);
 }
 
 }  // namespace

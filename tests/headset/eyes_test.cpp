@@ -66,9 +66,9 @@ TEST_F(Eyes, AreDarkInTheMiddleOfAFadeAndAtTheEdgesWhileGliding) {
   const HeadsetInput input = handless();
   Visit visit = advance_visit({}, input, balls.world(), {}, 0.01);
   const auto clear = seen(painter, visit, input, balls.world());
-  visit.vignette = 1;
+  visit.seen.vignette = 1;
   const auto edged = seen(painter, visit, input, balls.world());
-  visit.dark = 1;
+  visit.seen.dark = 1;
   const auto dark = seen(painter, visit, input, balls.world());
   for (std::size_t eye = 0; eye < 2; ++eye) {
     EXPECT_TRUE(content_of(clear[eye]).shows_something());
@@ -99,8 +99,8 @@ TEST_F(Eyes, SeeTheHandsRayUpToWhatItHits) {
   input.hands[1] = pointing_at(to_room(before.stage, balls.model.bounds_mm.centre()),
                                input.head.position + glm::dvec3(0.15, -0.25, -0.3));
   const Visit pointing = advance_visit(before, input, balls.world(), {}, 0.01);
-  ASSERT_TRUE(pointing.pointed[1]);
-  EXPECT_EQ(pointing.pointed[1]->structure, "pulp");
+  ASSERT_TRUE(pointing.hands.pointed[1]);
+  EXPECT_EQ(pointing.hands.pointed[1]->structure, "pulp");
   const Image with = seen(painter, pointing, input, balls.world())[0];
   // Changed pixels lie on the way from the hand, which is right of and below the tooth.
   std::size_t changed = 0, outside_the_model = 0;
@@ -120,10 +120,10 @@ TEST_F(Eyes, SeeHowLargeTheToothIsForAWhile) {
   EyePainter painter(context->gl(), ShaderLibrary{}, balls.model);
   const HeadsetInput input = handless();
   Visit visit = advance_visit({}, input, balls.world(), {}, 0.01);
-  EXPECT_GT(visit.told, 0);
+  EXPECT_GT(visit.seen.told, 0);
   const Image with = seen(painter, visit, input, balls.world())[1];
   for (int i = 0; i < 400; ++i) visit = advance_visit(visit, input, balls.world(), {}, 0.01);
-  EXPECT_EQ(visit.told, 0);
+  EXPECT_EQ(visit.seen.told, 0);
   EXPECT_NE(with, seen(painter, visit, input, balls.world())[1]);
 }
 

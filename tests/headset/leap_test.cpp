@@ -45,7 +45,7 @@ class Leap : public VisitingMolar {
     step(80);
     ASSERT_TRUE(visit.cavity);
     visit.panel.reset();
-    visit.travel = Travel::leap;
+    visit.chosen.travel = Travel::leap;
   }
   void point(const glm::dvec3& direction) {
     const double trigger = input.hands[1].trigger;
@@ -58,14 +58,14 @@ class Leap : public VisitingMolar {
 
 TEST_F(Leap, LettingTheTriggerGoLeadsThereInTheDark) {
   point({1, 0, 0});
-  EXPECT_FALSE(visit.leap_mm[1]);
+  EXPECT_FALSE(visit.hands.leap_mm[1]);
   const glm::dvec3 eye = visit.eye_mm;
   input.hands[1].trigger = 1;
   step(40);
-  ASSERT_TRUE(visit.leap_mm[1]);
+  ASSERT_TRUE(visit.hands.leap_mm[1]);
   EXPECT_LT(glm::length(visit.eye_mm - eye), 1e-9) << "it only shows where";
   EXPECT_FALSE(visit.way);
-  const glm::dvec3 there = *visit.leap_mm[1];
+  const glm::dvec3 there = *visit.hands.leap_mm[1];
   EXPECT_FALSE(cavity.walls.crosses(eye, there));
   EXPECT_GE(cavity.walls.nearest(there).distance / mm_per_metre(visit.stage), rules.clearance);
   EXPECT_GT(glm::length(there - eye) / mm_per_metre(visit.stage), 0.3);
@@ -75,7 +75,7 @@ TEST_F(Leap, LettingTheTriggerGoLeadsThereInTheDark) {
   glm::dvec3 before = visit.eye_mm;
   for (int i = 0; i < 90; ++i) {
     step();
-    if (glm::length(visit.eye_mm - before) > 1e-3) dark_at_jump = visit.dark;
+    if (glm::length(visit.eye_mm - before) > 1e-3) dark_at_jump = visit.seen.dark;
     before = visit.eye_mm;
   }
   EXPECT_EQ(dark_at_jump, 1);
@@ -83,7 +83,7 @@ TEST_F(Leap, LettingTheTriggerGoLeadsThereInTheDark) {
   EXPECT_LT(glm::length(to_room(visit.stage, visit.eye_mm) - input.head.position), 1e-9);
   EXPECT_EQ(visit.stage.magnification, magnification);
   EXPECT_TRUE(visit.cavity);
-  EXPECT_EQ(visit.vignette < 0.01, true);
+  EXPECT_EQ(visit.seen.vignette < 0.01, true);
   // And out again to where the tooth stood, not to where the leap began.
   visit.pending_actions = {VisitAction::leave};
   step(80);
@@ -105,13 +105,13 @@ TEST_F(Leap, NeitherTriggerNorStickGlides) {
 }
 
 TEST_F(Leap, WhereThereIsNoWayItDoesNotGrowDark) {
-  visit.travel = Travel::glide;
+  visit.chosen.travel = Travel::glide;
   point({1, 0, 0});
   input.hands[1].trigger = 1;
   step(500);
   input.hands[1].trigger = 0;
   step(50);
-  visit.travel = Travel::leap;
+  visit.chosen.travel = Travel::leap;
   input.hands[1].trigger = 1;
   step(5);
   input.hands[1].trigger = 0;
@@ -136,27 +136,27 @@ TEST_F(Leap, NoLeapEverGetsThroughAWall) {
 }
 
 TEST_F(Leap, HandsFeelWhatTheyDidAndTheWallOnce) {
-  visit.travel = Travel::glide;
+  visit.chosen.travel = Travel::glide;
   point({1, 0, 0});
-  EXPECT_EQ(visit.pulse, (std::array<double, 2>{0, 0}));
+  EXPECT_EQ(visit.hands.pulse, (std::array<double, 2>{0, 0}));
   input.hands[1].trigger = 1;
   int knocks = 0;
   for (int i = 0; i < 500; ++i) {
     step();
-    knocks += visit.pulse[1] > 0 ? 1 : 0;
+    knocks += visit.hands.pulse[1] > 0 ? 1 : 0;
   }
   EXPECT_LT(wall_metres(), 1.06 * rules.clearance);
   EXPECT_EQ(knocks, 1) << "it knocks, it does not rattle";
   input.hands[1].trigger = 0;
-  visit.tool = HandTool::distance;
+  visit.chosen.tool = HandTool::distance;
   point({-1, 0, 0});  // back: before it the hand may reach through the wall
   step(20);
   input.hands[1].trigger = 1;
   step();
-  EXPECT_GT(visit.pulse[1], 0);
-  EXPECT_EQ(visit.pulse[0], 0);
+  EXPECT_GT(visit.hands.pulse[1], 0);
+  EXPECT_EQ(visit.hands.pulse[0], 0);
   step();
-  EXPECT_EQ(visit.pulse[1], 0);
+  EXPECT_EQ(visit.hands.pulse[1], 0);
 }
 
 }  // namespace

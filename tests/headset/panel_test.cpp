@@ -130,32 +130,32 @@ TEST_F(PanelInVisit, ARayOnItIsItsMouseAndMeetsNothingElse) {
   visit.panel.reset();
   input.hands[1] = pointing_at(centre, hand);
   step();
-  ASSERT_TRUE(visit.pointed[1]);
-  EXPECT_EQ(visit.pointed[1]->structure, "pulp");
+  ASSERT_TRUE(visit.hands.pointed[1]);
+  EXPECT_EQ(visit.hands.pointed[1]->structure, "pulp");
   visit.panel = panel;
   point(1, {0.5, 0.5});
-  ASSERT_TRUE(visit.on_panel[1]);
-  EXPECT_LT(glm::length(visit.on_panel[1]->at - glm::dvec2(0.5, 0.5)), 1e-9);
-  EXPECT_FALSE(visit.pointed[1]);
+  ASSERT_TRUE(visit.hands.on_panel[1]);
+  EXPECT_LT(glm::length(visit.hands.on_panel[1]->at - glm::dvec2(0.5, 0.5)), 1e-9);
+  EXPECT_FALSE(visit.hands.pointed[1]);
   EXPECT_EQ(panel_hand(visit), 1u);
   input.hands[1].trigger = 1;
   seconds(1);
   EXPECT_FALSE(visit.cavity);
-  EXPECT_TRUE(visit.pressing[1]);
-  EXPECT_FALSE(visit.named);
+  EXPECT_TRUE(visit.hands.pressing[1]);
+  EXPECT_FALSE(visit.marks.named);
   // What began on it ends on it: a slider goes on beside the panel, and nothing behind it is meant.
   point(1, {1.3, 0.4});
-  ASSERT_TRUE(visit.on_panel[1]);
-  EXPECT_TRUE(visit.pressing[1]);
+  ASSERT_TRUE(visit.hands.on_panel[1]);
+  EXPECT_TRUE(visit.hands.pressing[1]);
   input.hands[1].trigger = 0;
   step();
-  EXPECT_FALSE(visit.on_panel[1]);
+  EXPECT_FALSE(visit.hands.on_panel[1]);
   // A trigger that is pulled elsewhere and led over the panel presses nothing there.
   input.hands[1].trigger = 1;
   step();
   point(1, {0.5, 0.5});
-  EXPECT_TRUE(visit.on_panel[1]);
-  EXPECT_FALSE(visit.pressing[1]);
+  EXPECT_TRUE(visit.hands.on_panel[1]);
+  EXPECT_FALSE(visit.hands.pressing[1]);
 }
 
 TEST_F(PanelInVisit, ThePressingHandIsTheMouse) {
@@ -176,14 +176,14 @@ TEST_F(PanelInVisit, AGrabOnItCarriesItAndNotTheTooth) {
   point(1, {0.5, 0.5});
   input.hands[1].grab = 1;
   step();
-  EXPECT_EQ(visit.held[1], Visit::Held::panel);
+  EXPECT_EQ(visit.hands.held[1], Visit::Held::panel);
   input.hands[1].grip.position += glm::dvec3(0.1, 0.2, 0);
   input.hands[1].aim.position += glm::dvec3(0.1, 0.2, 0);
   step();
   EXPECT_LT(glm::length(visit.panel->pose.position - panel.pose.position - glm::dvec3(0.1, 0.2, 0)), 1e-12);
   input.hands[1].grab = 0;
   step();
-  EXPECT_EQ(visit.held[1], Visit::Held::nothing);
+  EXPECT_EQ(visit.hands.held[1], Visit::Held::nothing);
   input.hands[1].grip.position += glm::dvec3(0.1, 0.2, 0);
   step();
   EXPECT_LT(glm::length(visit.panel->pose.position - panel.pose.position - glm::dvec3(0.1, 0.2, 0)), 1e-12);
@@ -208,7 +208,7 @@ TEST_F(PanelInVisit, InsideItIsBeforeTheWallAndATriggerOnItDoesNotGlide) {
   const glm::dvec3 eye = visit.eye_mm;
   input.hands[1].trigger = 1;
   seconds(1);
-  EXPECT_TRUE(visit.pressing[1]);
+  EXPECT_TRUE(visit.hands.pressing[1]);
   EXPECT_LT(glm::length(visit.eye_mm - eye), 1e-6);
 }
 
@@ -257,8 +257,8 @@ TEST_F(PanelInVisit, WithOneButtonTheTriggerPressesOnItAndGrabsBesideIt) {
   input.hands[1].can_grab = false;
   input.hands[1].trigger = 1;
   step(2);
-  EXPECT_TRUE(visit.pressing[1]);
-  EXPECT_EQ(visit.held[1], Visit::Held::nothing);
+  EXPECT_TRUE(visit.hands.pressing[1]);
+  EXPECT_EQ(visit.hands.held[1], Visit::Held::nothing);
 }
 
 }  // namespace

@@ -52,14 +52,14 @@ class SectionInHand : public VisitingBalls {
 
 TEST_F(SectionInHand, AGrabOnTheFrameMovesThePlaneAndNotTheTooth) {
   point(edge());
-  ASSERT_TRUE(visit.on_frame[1]);
-  EXPECT_FALSE(visit.pointed[1]);
+  ASSERT_TRUE(visit.hands.on_frame[1]);
+  EXPECT_FALSE(visit.hands.pointed[1]);
   const Stage stage = visit.stage;
   const Section before = *visit.scene.section;
   const glm::dvec3 normal = stage.turn * glm::normalize(before.normal);
   input.hands[1].grab = 1;
   step();
-  EXPECT_EQ(visit.held[1], Visit::Held::section);
+  EXPECT_EQ(visit.hands.held[1], Visit::Held::section);
   const glm::dvec3 by = 0.05 * normal;
   input.hands[1].grip.position += by;
   input.hands[1].aim.position += by;
@@ -101,11 +101,11 @@ TEST_F(SectionInHand, CannotBeCarriedOutOfTheTooth) {
 
 TEST_F(SectionInHand, AGrabBesideTheFrameIsTheTooths) {
   point(to_room(visit.stage, balls.model.bounds_mm.centre()));
-  EXPECT_FALSE(visit.on_frame[1]);
+  EXPECT_FALSE(visit.hands.on_frame[1]);
   const Section before = *visit.scene.section;
   input.hands[1].grab = 1;
   step();
-  EXPECT_EQ(visit.held[1], Visit::Held::model);
+  EXPECT_EQ(visit.hands.held[1], Visit::Held::model);
   const Stage stage = visit.stage;
   input.hands[1].grip.position.y += 0.1;
   step();
@@ -117,15 +117,15 @@ TEST_F(SectionInHand, AHandWithinReachTakesItAndSwitchingItOffLetsGo) {
   input.hands[1].grip.position = edge() + glm::dvec3(0.02, 0.03, 0.02);
   input.hands[1].can_grab = false;  // one button: the trigger grabs
   step();
-  ASSERT_TRUE(visit.on_frame[1]);
+  ASSERT_TRUE(visit.hands.on_frame[1]);
   input.hands[1].trigger = 1;
   step();
-  EXPECT_EQ(visit.held[1], Visit::Held::section);
-  EXPECT_FALSE(visit.named);
+  EXPECT_EQ(visit.hands.held[1], Visit::Held::section);
+  EXPECT_FALSE(visit.marks.named);
   visit.pending_actions = {VisitAction::toggle_section};
   step();
-  EXPECT_EQ(visit.held[1], Visit::Held::nothing);
-  EXPECT_FALSE(visit.on_frame[1]);
+  EXPECT_EQ(visit.hands.held[1], Visit::Held::nothing);
+  EXPECT_FALSE(visit.hands.on_frame[1]);
 }
 
 TEST_F(SectionInHand, WhatIsCutAwayIsNotPointedAt) {
@@ -133,9 +133,9 @@ TEST_F(SectionInHand, WhatIsCutAwayIsNotPointedAt) {
       visit.stage.turn * visit.scene.section->normal;  // towards the person: the buccal half is gone
   EXPECT_GT(front.z, 0.8);
   point(to_room(visit.stage, balls.model.bounds_mm.centre()));
-  ASSERT_TRUE(visit.pointed[1]);
-  EXPECT_FALSE(visit.pointed[1]->triangle) << "the cap";
-  EXPECT_EQ(visit.pointed[1]->structure, "pulp");
+  ASSERT_TRUE(visit.hands.pointed[1]);
+  EXPECT_FALSE(visit.hands.pointed[1]->triangle) << "the cap";
+  EXPECT_EQ(visit.hands.pointed[1]->structure, "pulp");
 }
 
 }  // namespace

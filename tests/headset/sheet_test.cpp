@@ -9,8 +9,8 @@
 #include <glm/trigonometric.hpp>
 
 #include "engine/headset/eye_painter.h"
+#include "engine/headset_viewer/headset_texture.h"
 #include "engine/picture/png.h"
-#include "engine/ui/headset_texture.h"
 #include "engine/view/offscreen.h"
 #include "tests/headset/drawing.h"
 #include "tests/headset/worlds.h"
@@ -100,9 +100,9 @@ TEST_F(Sheet, AHandOperatesItsControls) {
   click("Cut it open");
   EXPECT_TRUE(visit.scene.section);
   click("DB", {"method"});
-  EXPECT_TRUE(visit.db);
+  EXPECT_TRUE(visit.chosen.db);
   click("DT", {"method"});
-  EXPECT_FALSE(visit.db);
+  EXPECT_FALSE(visit.chosen.db);
   click("Both", {"volume shows"});
   EXPECT_EQ(visit.scene.volume.shows, VolumeLook::Shows::both);
   EXPECT_LE(visit.scene.look_of("dentine")->opacity, around_volume);
@@ -118,7 +118,7 @@ TEST_F(Sheet, AHandOperatesItsControls) {
   click("Measure", {"page"});
   EXPECT_NE(drawn(), tooth_page);
   click("Measures", {"tool"});
-  EXPECT_EQ(visit.tool, HandTool::distance);
+  EXPECT_EQ(visit.chosen.tool, HandTool::distance);
   click("Help", {"page"});
   click("Leave the headset");
   EXPECT_TRUE(visit.leaving);
@@ -150,11 +150,11 @@ TEST_F(Sheet, LeadsInsideSaysWhereOneIsAndLeadsOut) {
   std::snprintf(button, sizeof button, "%s   %.1f mm", lines[0]->name.c_str(), length);
   click(button);
   step(80);
-  ASSERT_TRUE(visit.tour);
-  EXPECT_TRUE(visit.tour->playing);
+  ASSERT_TRUE(visit.tour.ride);
+  EXPECT_TRUE(visit.tour.ride->playing);
   point(control("Stop here"));
-  const Ride& tour = *visit.tour;
-  visit.tour->along = 0.4 * tour.track.points.back().along;
+  const Ride& tour = *visit.tour.ride;
+  visit.tour.ride->along = 0.4 * tour.track.points.back().along;
   input.head.turn = glm::angleAxis(-0.25, glm::dvec3(0, 1, 0));
   step(3);
   const auto [left, right] = both_eyes();
@@ -162,9 +162,9 @@ TEST_F(Sheet, LeadsInsideSaysWhereOneIsAndLeadsOut) {
   keep("tour-right", right);
   EXPECT_NE(left, right);
   click("Stop here");
-  EXPECT_FALSE(visit.tour->playing);
+  EXPECT_FALSE(visit.tour.ride->playing);
   click("Leave it here", {"two"});
-  EXPECT_FALSE(visit.tour);
+  EXPECT_FALSE(visit.tour.ride);
   click("Out again");
   step(80);
   EXPECT_FALSE(visit.cavity);

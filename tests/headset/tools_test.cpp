@@ -30,14 +30,14 @@ class Tools : public VisitingBalls {
 
 TEST_F(Tools, ATriggerNamesWhatItMeets) {
   pull_at(centre() + glm::dvec3(0.09, 0, 0));  // beside the pulp, on the translucent dentine
-  ASSERT_TRUE(visit.named);
-  EXPECT_EQ(visit.named->structure, "dentine");
+  ASSERT_TRUE(visit.marks.named);
+  EXPECT_EQ(visit.marks.named->structure, "dentine");
   EXPECT_FALSE(visit.way);
   const auto written = billboards(visit, input, balls.world());
   ASSERT_EQ(written.size(), 1u);
   EXPECT_EQ(written[0].words, "dentine");
   // At the spot, and before it.
-  EXPECT_LT(glm::length(written[0].of - to_room(visit.stage, visit.named->point_mm)), 1e-12);
+  EXPECT_LT(glm::length(written[0].of - to_room(visit.stage, visit.marks.named->point_mm)), 1e-12);
   const double there = glm::length(written[0].of - input.head.position),
                label = glm::length(written[0].at - input.head.position);
   EXPECT_LT(label, there);
@@ -51,21 +51,21 @@ TEST_F(Tools, ATriggerNamesWhatItMeets) {
 }
 
 TEST_F(Tools, TwoTriggersMeasureAStraightDistance) {
-  visit.tool = HandTool::distance;
+  visit.chosen.tool = HandTool::distance;
   pull_at(centre() + glm::dvec3(0.08, 0, 0));
-  ASSERT_EQ(visit.ends.size(), 1u);
+  ASSERT_EQ(visit.marks.ends.size(), 1u);
   EXPECT_TRUE(billboards(visit, input, balls.world()).empty());
   pull_at(centre() - glm::dvec3(0.08, 0, 0));
-  ASSERT_EQ(visit.ends.size(), 2u);
+  ASSERT_EQ(visit.marks.ends.size(), 2u);
   // On a ball of 5 mm, 25 times enlarged, seen from before it: two places of the front, level.
-  const glm::dvec3 between = visit.ends[0].point_mm - visit.ends[1].point_mm;
-  for (const Hit& end : visit.ends) EXPECT_NEAR(glm::length(end.point_mm - glm::dvec3(1, 2, 30)), 5, 0.05);
+  const glm::dvec3 between = visit.marks.ends[0].point_mm - visit.marks.ends[1].point_mm;
+  for (const Hit& end : visit.marks.ends) EXPECT_NEAR(glm::length(end.point_mm - glm::dvec3(1, 2, 30)), 5, 0.05);
   const auto written = billboards(visit, input, balls.world());
   ASSERT_EQ(written.size(), 1u);
   EXPECT_NEAR(std::stod(written[0].words), glm::length(between), 0.0051);
   EXPECT_NE(written[0].words.find(" mm"), std::string::npos);
   pull_at(centre());  // the next one begins anew, and the pulp is no way in now
-  EXPECT_EQ(visit.ends.size(), 1u);
+  EXPECT_EQ(visit.marks.ends.size(), 1u);
   EXPECT_FALSE(visit.way);
   EXPECT_FALSE(visit.cavity);
 }
@@ -75,16 +75,16 @@ TEST_F(Tools, InsideItMeasuresFromWallToWallAndDoesNotGlide) {
   step(80);
   ASSERT_TRUE(visit.cavity);
   visit.panel.reset();
-  visit.tool = HandTool::distance;
+  visit.chosen.tool = HandTool::distance;
   const glm::dvec3 eye = visit.eye_mm;
   pull_at(input.head.position + glm::dvec3(4, -0.1, -0.05));
   pull_at(input.head.position + glm::dvec3(-4, -0.1, -0.05));
-  ASSERT_EQ(visit.ends.size(), 2u);
-  EXPECT_NEAR(distance_between_mm(visit.ends[0], visit.ends[1]), 4, 0.1);  // across a ball of 2 mm
+  ASSERT_EQ(visit.marks.ends.size(), 2u);
+  EXPECT_NEAR(distance_between_mm(visit.marks.ends[0], visit.marks.ends[1]), 4, 0.1);  // across a ball of 2 mm
   EXPECT_LT(glm::length(visit.eye_mm - eye), 1e-9);
   visit.pending_actions = {VisitAction::leave};
   step(80);
-  EXPECT_TRUE(visit.ends.empty());
+  EXPECT_TRUE(visit.marks.ends.empty());
 }
 
 TEST(BillboardShape, IsReadFromTheEyesUprightAndEquallyLargeEverywhere) {

@@ -21,10 +21,10 @@ class HeadsetTour : public VisitingMolar {
     step();
   }
   void begin(std::size_t line) {
-    visit.tour_asked = line;
+    visit.tour.asked = line;
     step(static_cast<int>(std::ceil(rules.fade_seconds / tick)) + 2);
-    ASSERT_TRUE(visit.tour);
-    ASSERT_EQ(visit.tour->line, line);
+    ASSERT_TRUE(visit.tour.ride);
+    ASSERT_EQ(visit.tour.ride->line, line);
   }
   void pull(std::size_t hand = 1) {
     input.hands[hand].tracked = true;
@@ -42,7 +42,7 @@ TEST_F(HeadsetTour, LeadsToTheCanalsEndWithoutTurningTheView) {
   input.head.turn = glm::angleAxis(0.8, glm::dvec3(0, 1, 0)) * glm::angleAxis(-0.4, glm::dvec3(1, 0, 0));
   for (std::size_t line = 0; line < cavity.lines.canals.size(); ++line) {
     begin(line);
-    const Track& track = visit.tour->track;
+    const Track& track = visit.tour.ride->track;
     // Laid so that it leads ahead and somewhat down.
     const glm::dvec3 ahead = glm::normalize(visit.stage.turn * (track.points.back().at - track.points.front().at));
     const glm::dvec3 level = heading_of(input.head) * glm::dvec3(0, 0, -1);
@@ -52,7 +52,7 @@ TEST_F(HeadsetTour, LeadsToTheCanalsEndWithoutTurningTheView) {
     const double magnification = visit.stage.magnification;
     double fastest = 0, least_wall = 1e9, farthest_off = 0;
     int frames = 0;
-    for (; visit.tour->playing && frames < 90 * 120; ++frames) {
+    for (; visit.tour.ride->playing && frames < 90 * 120; ++frames) {
       step();
       fastest = std::max(fastest, pace());
       least_wall = std::min(least_wall, wall_metres());
@@ -60,48 +60,48 @@ TEST_F(HeadsetTour, LeadsToTheCanalsEndWithoutTurningTheView) {
       ASSERT_EQ(visit.stage.turn, turn);
       ASSERT_EQ(visit.stage.magnification, magnification);
     }
-    EXPECT_FALSE(visit.tour->playing) << "it never arrives";
+    EXPECT_FALSE(visit.tour.ride->playing) << "it never arrives";
     EXPECT_LE(fastest, rules.most_speed * 1.001);
     EXPECT_GT(fastest, 0.2);
     EXPECT_GE(least_wall, rules.clearance);
     EXPECT_LT(farthest_off, 1e-9);
-    EXPECT_NEAR(visit.tour->along, visit.tour->track.points.back().along, 1e-9);
+    EXPECT_NEAR(visit.tour.ride->along, visit.tour.ride->track.points.back().along, 1e-9);
     // Nearly all of the canal: what is left out is narrower than the head's ball there.
-    EXPECT_GT(visit.tour->along, 0.8 * cavity.lines.canals[line].points.back().along);
+    EXPECT_GT(visit.tour.ride->along, 0.8 * cavity.lines.canals[line].points.back().along);
     std::printf(
         "measured: canal %zu, %.1f mm in %.0f s, at most %.2f m/s, walls at least %.2f m off, %.0f times enlarged\n",
-        line + 1, visit.tour->along, frames * tick, fastest, least_wall, magnification);
-    EXPECT_LT(visit.vignette, 1);
+        line + 1, visit.tour.ride->along, frames * tick, fastest, least_wall, magnification);
+    EXPECT_LT(visit.seen.vignette, 1);
   }
 }
 
 TEST_F(HeadsetTour, ATriggerStopsItAndGoesOnAndAtTheEndLeadsBack) {
   begin(0);
   step(200);
-  EXPECT_GT(visit.vignette, 0.02);
+  EXPECT_GT(visit.seen.vignette, 0.02);
   pull();
-  EXPECT_FALSE(visit.tour->playing);
+  EXPECT_FALSE(visit.tour.ride->playing);
   step(90);
   EXPECT_LT(pace(), 1e-3);
-  const double along = visit.tour->along;
+  const double along = visit.tour.ride->along;
   step(30);
-  EXPECT_NEAR(visit.tour->along, along, 1e-4);
+  EXPECT_NEAR(visit.tour.ride->along, along, 1e-4);
   pull(0);  // either hand
-  EXPECT_TRUE(visit.tour->playing);
+  EXPECT_TRUE(visit.tour.ride->playing);
   step(90);
-  EXPECT_GT(visit.tour->along, along + 0.01);
-  visit.tour->along = visit.tour->track.points.back().along;
+  EXPECT_GT(visit.tour.ride->along, along + 0.01);
+  visit.tour.ride->along = visit.tour.ride->track.points.back().along;
   step(2);
-  ASSERT_FALSE(visit.tour->playing);
+  ASSERT_FALSE(visit.tour.ride->playing);
   pull();
-  const double end = visit.tour->along;
+  const double end = visit.tour.ride->along;
   step(90);
-  EXPECT_LT(visit.tour->along, end);
+  EXPECT_LT(visit.tour.ride->along, end);
   // A stick says which way.
   input.hands[0].tracked = true;
   input.hands[0].stick = {0, 1};
   step(90);
-  EXPECT_FALSE(visit.tour->back);
+  EXPECT_FALSE(visit.tour.ride->back);
 }
 
 TEST_F(HeadsetTour, TheHeadLeansAsInAnyRoomAndNotThroughTheWall) {
@@ -130,10 +130,10 @@ TEST_F(HeadsetTour, ComesAsFarAtAnyFrameRate) {
   begin(1);
   Visit slow = visit;
   step(200, tick);
-  const double fast = visit.tour->along;
+  const double fast = visit.tour.ride->along;
   visit = slow;
   step(50, 4 * tick);
-  EXPECT_NEAR(visit.tour->along, fast, 0.01 * fast);
+  EXPECT_NEAR(visit.tour.ride->along, fast, 0.01 * fast);
 }
 
 TEST_F(HeadsetTour, OneCanGlideOnFromItTakeAnotherAndGoOut) {
@@ -142,7 +142,7 @@ TEST_F(HeadsetTour, OneCanGlideOnFromItTakeAnotherAndGoOut) {
   step(200);
   visit.pending_actions = {VisitAction::end_tour};
   step();
-  EXPECT_FALSE(visit.tour);
+  EXPECT_FALSE(visit.tour.ride);
   const glm::dvec3 eye = visit.eye_mm;
   input.hands[0].tracked = true;
   input.hands[0].stick = {0, 1};
@@ -156,11 +156,11 @@ TEST_F(HeadsetTour, OneCanGlideOnFromItTakeAnotherAndGoOut) {
   visit.pending_actions = {VisitAction::leave};
   step(80);
   EXPECT_FALSE(visit.cavity);
-  EXPECT_FALSE(visit.tour);
+  EXPECT_FALSE(visit.tour.ride);
   EXPECT_EQ(visit.stage, outside);
-  visit.tour_asked = 999;  // nothing to be led along: inside all the same, and no crash
+  visit.tour.asked = 999;  // nothing to be led along: inside all the same, and no crash
   step(80);
-  EXPECT_FALSE(visit.tour);
+  EXPECT_FALSE(visit.tour.ride);
 }
 
 TEST_F(HeadsetTour, NamesOfCanalsAreSeenButNotThroughWalls) {
@@ -174,7 +174,7 @@ TEST_F(HeadsetTour, NamesOfCanalsAreSeenButNotThroughWalls) {
     for (const Billboard& billboard : billboards(visit, input, world)) words.insert(billboard.words);
     return words;
   };
-  visit.wall_depth = false;
+  visit.chosen.wall_depth = false;
   const auto in_chamber = written();
   EXPECT_FALSE(in_chamber.empty());
   EXPECT_LT(in_chamber.size(), labels.size());
@@ -185,15 +185,15 @@ TEST_F(HeadsetTour, NamesOfCanalsAreSeenButNotThroughWalls) {
               glm::length(way) - 0.31 * mm_per_metre(visit.stage))
         << label.words;
   }
-  visit.labels = false;
+  visit.chosen.labels = false;
   EXPECT_TRUE(written().empty());
-  visit.wall_depth = true;
+  visit.chosen.wall_depth = true;
   for (const std::string& words : written()) EXPECT_TRUE(words.ends_with(" mm")) << words;
-  visit.wall_depth = false;
-  visit.labels = true;
+  visit.chosen.wall_depth = false;
+  visit.chosen.labels = true;
   // In one canal, far from the chamber, another one's names are gone.
   begin(0);
-  visit.tour->along = visit.tour->track.points.back().along;
+  visit.tour.ride->along = visit.tour.ride->track.points.back().along;
   step(2);
   for (const std::string& words : written())
     EXPECT_EQ(words.find(cavity.lines.canals[1].name), std::string::npos) << words;

@@ -59,7 +59,7 @@ TEST_F(VisitTest, NothingHappensWithoutAHeadOrFocus) {
   input.head_tracked = true;
   input.hands[0].grab = 1;
   step();
-  EXPECT_EQ(visit.held[0], Visit::Held::model);
+  EXPECT_EQ(visit.hands.held[0], Visit::Held::model);
   input.focused = false;
   const Stage stage = visit.stage;
   input.hands[0].grip.position.x += 0.3;
@@ -130,7 +130,7 @@ TEST_F(VisitTest, ASnapTurnIsSuddenAndSingle) {
   const glm::dvec3 turned = visit.stage.turn * glm::dvec3(0, 1, 0);
   EXPECT_NEAR(glm::degrees(std::acos(glm::dot(pole, turned))), rules.snap_turn_deg, 1e-6);
   EXPECT_GT(turned.x, 0);  // what is near goes to the right, as the stick did
-  EXPECT_NEAR(visit.vignette, 0, 1e-9);
+  EXPECT_NEAR(visit.seen.vignette, 0, 1e-9);
 }
 
 TEST_F(VisitTest, AStickBringsItNearerButNotIntoTheFace) {
@@ -152,7 +152,7 @@ TEST_F(VisitTest, ATriggerOnThePulpLeadsInside) {
   enter();
   EXPECT_GT(visit.stage.magnification, outside);
   EXPECT_NEAR(wall_metres(), rules.roomy, 0.1);
-  EXPECT_NEAR(visit.dark, 0, 1e-9);
+  EXPECT_NEAR(visit.seen.dark, 0, 1e-9);
   // Up is up.
   EXPECT_LT(glm::length(visit.stage.turn * glm::dvec3(0, 0, 1) - glm::dvec3(0, 1, 0)), 1e-9);
   input.hands[0].menu = true;
@@ -172,8 +172,8 @@ TEST(Visit, TheSampleMolarsPulpLeadsIntoTheDentinesVoid) {
   Visit visit = advance_visit({}, input, world, {}, tick);
   input.hands[1] = pointing_at(to_room(visit.stage, cavities[0].middle), input.hands[1].grip.position);
   visit = advance_visit(visit, input, world, {}, tick);
-  ASSERT_TRUE(visit.pointed[1]);
-  EXPECT_EQ(visit.pointed[1]->structure, "pulp");
+  ASSERT_TRUE(visit.hands.pointed[1]);
+  EXPECT_EQ(visit.hands.pointed[1]->structure, "pulp");
   input.hands[1].trigger = 1;
   for (int i = 0; i < 60; ++i) visit = advance_visit(visit, input, world, {}, tick);
   EXPECT_TRUE(visit.cavity);
@@ -186,7 +186,7 @@ TEST_F(VisitTest, ItIsDarkWhileThePlaceChanges) {
   double jump_at = -1, before = visit.stage.magnification;
   for (int i = 0; i < 200; ++i) {
     step();
-    if (visit.stage.magnification != before) jump_at = visit.dark;
+    if (visit.stage.magnification != before) jump_at = visit.seen.dark;
     before = visit.stage.magnification;
   }
   EXPECT_EQ(jump_at, 1);
@@ -253,14 +253,14 @@ TEST_F(VisitTest, GlidingIsNoFasterThanTheLimitAndDarkensTheEdges) {
     const glm::dvec3 before = visit.eye_mm;
     step();
     fastest = std::max(fastest, glm::length(visit.eye_mm - before) / mm_per_metre(visit.stage) / tick);
-    darkest = std::max(darkest, visit.vignette);
+    darkest = std::max(darkest, visit.seen.vignette);
   }
   EXPECT_LE(fastest, rules.most_speed * 1.001);
   EXPECT_GT(fastest, 0.3);
   EXPECT_GT(darkest, 0.2);
   input.hands[1].trigger = 0;
   seconds(2);
-  EXPECT_LT(visit.vignette, 0.01);
+  EXPECT_LT(visit.seen.vignette, 0.01);
 }
 
 TEST_F(VisitTest, TheWayDoesNotDependOnTheFrameRate) {

@@ -65,7 +65,7 @@ class VolumeInTheHeadset : public Drawing {
     for (Framebuffer& eye : pixels) eye = Framebuffer(context->gl(), {size, {GL_SRGB8_ALPHA8}, GL_DEPTH_COMPONENT32F});
     input.hands = {};
     visit = advance_visit({}, input, balls.world(), {}, 0.01);
-    visit.told = 0;
+    visit.seen.told = 0;
     visit.scene.volume.transfer = {{40, colour_of(0xc04030), 0},
                                    {70, colour_of(0xc04030), 0.3},
                                    {120, colour_of(0xeec488), 0.1},

@@ -5,11 +5,11 @@
 #include <filesystem>
 
 #include "engine/app/sniff.h"
-#include "engine/lab/lesson.h"
+#include "engine/comparison/lesson.h"
 #include "engine/navigate/notes.h"
 #include "engine/picture/png.h"
 #include "engine/scene/scene_json.h"
-#include "engine/ui/settings.h"
+#include "engine/viewer/settings.h"
 #include "recon/core/read_file.h"
 #include "recon/exchange/read_csl.h"
 #include "recon/exchange/read_jser.h"

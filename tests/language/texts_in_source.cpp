@@ -123,12 +123,13 @@ std::set<std::string> texts_of_viewer(const std::filesystem::path& source) {
   std::set<std::string> none{""};
   std::istringstream lines(content_of(source / "tests/language/no_texts.txt"));
   for (std::string line; std::getline(lines, line);) none.insert(line);
-  std::vector<std::filesystem::path> files{source / "engine/lab/artefacts.cpp"};
+  std::vector<std::filesystem::path> files{source / "engine/comparison/artefacts.cpp"};
   const std::set<std::string> aside{
       "settings.cpp", "file_list.cpp"};  // names of keys and endings, and what is told on the terminal, too
-  for (const auto& entry : std::filesystem::directory_iterator(source / "engine/ui"))
-    if (entry.path().extension() == ".cpp" && !aside.contains(entry.path().filename().string()))
-      files.push_back(entry.path());
+  for (const char* room : {"engine/ui", "engine/viewer", "engine/headset_viewer"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(source / room))
+      if (entry.path().extension() == ".cpp" && !aside.contains(entry.path().filename().string()))
+        files.push_back(entry.path());
   std::set<std::string> texts;
   static const std::regex words("[A-Za-z]{2}");
   for (const std::filesystem::path& file : files)
@@ -139,7 +140,7 @@ std::set<std::string> texts_of_viewer(const std::filesystem::path& source) {
 }
 
 std::set<std::string> texts_of_db_lesson(const std::filesystem::path& source) {
-  const auto lesson = nlohmann::json::parse(content_of(source / "engine/lab/lesson.json"));
+  const auto lesson = nlohmann::json::parse(content_of(source / "engine/comparison/lesson.json"));
   std::set<std::string> texts{lesson.at("title").get<std::string>()};
   for (const auto& step : lesson.at("steps"))
     for (const char* key : {"title", "words"}) texts.insert(step.at(key).get<std::string>());

@@ -13,10 +13,11 @@ std::set<std::string> texts_of_page(const std::filesystem::path& source);
 /// Titles, texts, labels, questions, choices and explanations of every lesson that comes with the program.
 std::set<std::string> texts_of_lessons();
 
-/// String literals of the viewer's sources (engine/ui, engine/lab/artefacts.cpp) with words in them, but those of
-/// tests/language/no_texts.txt: names of controls and files, and parts that others are put together from.
+/// String literals of the viewer's sources (engine/ui, engine/viewer, engine/headset_viewer,
+/// engine/comparison/artefacts.cpp) with words in them, but those of tests/language/no_texts.txt: names of controls and
+/// files, and parts that others are put together from.
 std::set<std::string> texts_of_viewer(const std::filesystem::path& source);
-/// The lesson about DB: engine/lab/lesson.json.
+/// The lesson about DB: engine/comparison/lesson.json.
 std::set<std::string> texts_of_db_lesson(const std::filesystem::path& source);
 
 /// "{:.1f} of {n}" and "{depth} of {whole}" are both "{} of {}".

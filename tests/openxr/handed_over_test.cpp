@@ -48,7 +48,7 @@ class HandedOver : public WithFakeRuntime {
       HeadsetInput input = frame.input;
       input.hands = {};
       if (!visit.placed) visit = advance_visit({}, input, balls.world(), {}, 0.01);
-      visit.told = 0;  // no figures beside the ball
+      visit.seen.told = 0;  // no figures beside the ball
       const Depths depths = painter.draw(visit, input, balls.world(), frame.eyes, frame.targets, {}, frame.hidden);
       eyes_ = frame.eyes;
       left = read_pixels(context->gl(), frame.targets[0].framebuffer, frame.targets[0].size);
@@ -140,7 +140,7 @@ TEST_F(HandedOver, InTheDarkNoDepthIsToldOf) {
   EyePainter painter(context->gl(), ShaderLibrary{}, balls.model);
   draw(painter);
   EXPECT_EQ(runtime.ended.back().depths.size(), 2u);
-  visit.dark = 1;
+  visit.seen.dark = 1;
   draw(painter);
   EXPECT_EQ(runtime.ended.back().views, 2);
   EXPECT_TRUE(runtime.ended.back().depths.empty());

@@ -1,6 +1,6 @@
 // The viewer's window while its model is in the headset: what a person does at the desk meanwhile, and a runtime that
 // misbehaves. Each case runs in a process of its own on a display in memory.
-#include "engine/ui/headset_loop.h"
+#include "engine/headset_viewer/headset_loop.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "engine/ui/window_loop.h"
 #include "engine/view/offscreen.h"
+#include "engine/viewer/window_loop.h"
 #include "tests/openxr/fake_runtime.h"
 #include "tests/render/shapes.h"
 // Last: it would bring another OpenGL along.
@@ -126,7 +126,7 @@ TEST_F(OnADisplay, DISABLED_Dropped) {
   runtime.side = 256;
   int height_before = 0, height_after = 0;
   const bool well = visit([&](const HeadsetFrame& frame, const Visit& now) {
-    const bool drawn = now.placed && now.told == 0 && frame.draw;  // nothing is written below the ball
+    const bool drawn = now.placed && now.seen.told == 0 && frame.draw;  // nothing is written below the ball
     if (drawn && height_before == 0) {
       height_before = height_of_what_is_seen(window->context().gl(), frame.targets[0]);
       drop("second.json");
@@ -161,7 +161,7 @@ TEST_F(OnADisplay, DISABLED_Volume) {
   std::array<std::array<int, 2>, 2> eyes{};
   EXPECT_TRUE(visit([&](const HeadsetFrame& frame, const Visit& now) {
     EXPECT_GT(frame.beat, 0);
-    if (!now.placed || now.told != 0 || !frame.draw) return;
+    if (!now.placed || now.seen.told != 0 || !frame.draw) return;
     for (std::size_t eye = 0; eye < 2; ++eye)
       eyes[eye] = seen_on_either_side(window->context().gl(), frame.targets[eye]);
     stop.request_stop();

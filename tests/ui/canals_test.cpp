@@ -1,11 +1,13 @@
 // Canals clicked from outside, through the tooth or in a section, and on the small picture in flight.
 
+#include "engine/viewer/names/canals.h"
+
 #include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "engine/navigate/screen.h"
-#include "engine/ui/annotations.h"
-#include "engine/ui/fly_annotations.h"
+#include "engine/viewer/fly/fly_annotations.h"
+#include "engine/viewer/look/annotations.h"
 #include "tests/ui/flight_fixture.h"
 
 namespace odontoscope::testing_support {
@@ -17,7 +19,7 @@ class CanalsTest : public FlightTest {
     FlightTest::SetUp();
     if (!IsSkipped()) viewer_with(sample_tooth_loaded(), {.settings = {.panel = false}});
   }
-  const std::optional<CanalPick>& canal() { return viewer().state().canal; }
+  const std::optional<CanalPick>& canal() { return mode<NamesMode>().canal(); }
   const ViewPane& pane() { return viewer().panes().front(); }
   std::vector<const CentreLine*> lines() { return rideable(spaces().cavities.at(0).lines); }
   /// A place on the canal, part of the way from its orifice to its end.
@@ -163,9 +165,9 @@ TEST_F(CanalsTest, TheSmallPictureCanBeClickedInFlight) {
   type(U'c');
   fade();
   for (std::size_t line = 0; line < 3; ++line) {
-    const Area area = where_area(pane(), scale_);
+    const Area area = inset_area(pane(), scale_);
     ASSERT_GT(area.width, 0);
-    const Camera small = where_camera(viewer().state().shown->model, fly().inset_from, area);
+    const Camera small = inset_camera(viewer().state().shown->model, fly().habits.inset_from, area);
     const glm::dvec3 place = place_on_canal(line, 0.8);
     const glm::dvec2 at = pixel_of(area, place_of(small, place).value());
     click(at.x, at.y);

@@ -40,7 +40,7 @@ TEST_F(Drafts, ADraftIsShownUntilTheModelIsThere) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   ASSERT_TRUE(viewer().state().shown);
-  EXPECT_TRUE(viewer().state().draft);
+  EXPECT_TRUE(viewer().state().origin.draft);
   EXPECT_EQ(viewer().state().shown->title, "Draft");
   EXPECT_TRUE(viewer().loading());
   keep_picture("draft");
@@ -49,7 +49,7 @@ TEST_F(Drafts, ADraftIsShownUntilTheModelIsThere) {
   const Camera turned = viewer().state().scene.camera;
   let = true;
   wait_until_loaded();
-  EXPECT_FALSE(viewer().state().draft);
+  EXPECT_FALSE(viewer().state().origin.draft);
   EXPECT_EQ(viewer().state().shown->title, "Toy tooth");
   EXPECT_EQ(viewer().state().scene.camera, turned);  // and the model goes on from there
 }
@@ -71,7 +71,7 @@ TEST_F(Drafts, TheSamplesDraftIsSeenSoon) {
   while (!viewer().state().shown && std::chrono::steady_clock::now() - start < std::chrono::seconds(20)) frame();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   RecordProperty("first_picture_ms", static_cast<int>(1000 * seconds));
-  EXPECT_TRUE(viewer().state().draft);
+  EXPECT_TRUE(viewer().state().origin.draft);
   EXPECT_LT(seconds, 5);
   keep_picture("sample-draft");
   let = true;

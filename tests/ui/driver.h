@@ -8,8 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "engine/ui/viewer.h"
 #include "engine/view/offscreen.h"
+#include "engine/viewer/compare/compare_mode.h"
+#include "engine/viewer/fly/fly_mode.h"
+#include "engine/viewer/help/help_mode.h"
+#include "engine/viewer/look/look_mode.h"
+#include "engine/viewer/measure/measure_mode.h"
+#include "engine/viewer/names/names_mode.h"
+#include "engine/viewer/notes/notes_mode.h"
+#include "engine/viewer/open/open_mode.h"
+#include "engine/viewer/viewer.h"
+#include "engine/viewer/volume/volume_mode.h"
 
 namespace odontoscope::testing_support {
 
@@ -54,6 +63,10 @@ class ViewerTest : public ::testing::Test {
   /// Kept in the build's folder tests/ui/pictures, to be looked at.
   void keep_picture(const std::string& name);
   Viewer& viewer() { return *viewer_; }
+  template <class M>
+  M& mode() {
+    return viewer_->mode<M>();
+  }
   const Gl& gl() const { return context_->gl(); }
   bool first_run_ = false;  // with the strip of hints
   float scale_ = 1;

@@ -43,7 +43,7 @@ TEST_F(EnteringTest, WorksWhileMeasuringAndWithHiddenStructures) {
   fade();
   expect_in_pulp();
   expect_closed_in();
-  EXPECT_EQ(viewer().state().tool, Tool::look);
+  EXPECT_EQ(mode<MeasureMode>().tool(), Tool::look);
 }
 
 TEST_F(EnteringTest, AKeyThatIsHeldRepeatsAndEntersOnce) {
@@ -72,9 +72,9 @@ TEST_F(EnteringTest, UnderTheListOfKeysItWorksAfterItIsClosedAndADialogKeepsItsL
   press_key(Key::enter);
   EXPECT_TRUE(viewer().state().trouble.empty());
   type(U'?');
-  EXPECT_TRUE(viewer().state().help);
+  EXPECT_TRUE(mode<HelpMode>().dialog_open());
   press_key(Key::enter);
-  EXPECT_FALSE(viewer().state().help);
+  EXPECT_FALSE(mode<HelpMode>().dialog_open());
   type(U'c');
   fade();
   expect_in_pulp();
@@ -112,17 +112,17 @@ TEST_F(EnteringTest, FromTheMiddleOfARideItLeadsOut) {
 TEST_F(EnteringTest, DbModeIsThereAgainAfterwards) {
   viewer_with(sample_tooth_loaded());
   for (Look& look : viewer().state().scene.looks) look.opacity = 1;
-  viewer().state().lab.wanted.grid = 16;
+  mode<CompareMode>().state().wanted.grid = 16;
   type(U'd');
-  ASSERT_TRUE(viewer().state().lab.on);
+  ASSERT_TRUE(mode<CompareMode>().state().on);
   type(U'c');
   fade();
   expect_in_pulp();
-  EXPECT_FALSE(viewer().state().lab.on);
+  EXPECT_FALSE(mode<CompareMode>().state().on);
   type(U'c');
   fade();
   EXPECT_FALSE(fly().on);
-  EXPECT_TRUE(viewer().state().lab.on);
+  EXPECT_TRUE(mode<CompareMode>().state().on);
 }
 
 TEST_F(EnteringTest, WithoutACavityItSaysWhatToDo) {

@@ -1,6 +1,6 @@
 // Opening a file by choosing it: the folder's files that can be opened, and those that were opened before.
 
-#include "engine/ui/file_list.h"
+#include "engine/viewer/open/file_list.h"
 
 #include <sys/stat.h>
 
@@ -64,8 +64,8 @@ TEST_F(OpeningAFile, IsAClickOnItsNameAndIsRemembered) {
   viewer().state().settings.recent = {(scratch.path() / "gone.json").string()};  // where one was last
   press_key(Key::o, {.control = true});
   frames(3);
-  ASSERT_TRUE(viewer().state().file_asked_for);
-  EXPECT_EQ(viewer().state().folder.folder, scratch.path());
+  ASSERT_TRUE(mode<OpenMode>().file_asked_for());
+  EXPECT_EQ(mode<OpenMode>().folder().folder, scratch.path());
   keep_picture("open-dialog");
   const auto entry = std::find_if(
       viewer().interface().places.begin(), viewer().interface().places.end(), [&](const Interface::Place& place) {

@@ -118,7 +118,7 @@ TEST_F(FilmPanel, MeasuresOnTheFilm) {
   Hit from, to;
   from.point_mm = {0, 3, 5};
   to.point_mm = {0, -3, -2};
-  state().measured.ends = {from, to};
+  mode<MeasureMode>().measured().ends = {from, to};
   frames(3);
   const Image on_film = picture();
   keep_picture("measured-on-film");

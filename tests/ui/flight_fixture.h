@@ -19,7 +19,7 @@ class FlightTest : public ViewerTest {
     options.load = [model](const LoadRequest&, const Progress&) { return model; };
     return viewer_with_tooth(std::move(options));
   }
-  FlyState& fly() { return viewer().state().fly; }
+  FlyState& fly() { return mode<FlyMode>().state(); }
   const FlightSpaces& spaces() { return *viewer().state().shown->flight; }
   /// Until the fade is over.
   void fade() {

@@ -33,9 +33,9 @@ TEST_F(FlightTest, DISABLED_FrameCost) {
   type(U'c');
   fade();
   tell("in flight", milliseconds());
-  fly().show_labels = false;
+  fly().habits.labels = false;
   tell("without names", milliseconds());
-  fly().show_where = false;
+  fly().habits.inset = false;
   tell("nor small pictures", milliseconds());
   viewer().state().settings.panel = false;
   tell("nor the panel", milliseconds());

@@ -52,7 +52,7 @@ TEST_F(FlightTest, LettersFlyInsideAndKeepTheirMeaningOutside) {
   ASSERT_TRUE(fly().on);
   const Flight start = fly().flight;
   for (const char32_t letter : {U'w', U's', U'd', U'e', U'b', U'f', U'g', U'0', U'p'}) type(letter);
-  EXPECT_FALSE(viewer().state().lab.on);
+  EXPECT_FALSE(mode<CompareMode>().state().on);
   EXPECT_FALSE(viewer().state().scene.wire);
   EXPECT_FALSE(viewer().state().scene.section);
   EXPECT_EQ(fly().flight, start) << "typed, not held";
@@ -133,7 +133,7 @@ TEST_F(FlightTest, TheWheelSetsTheSpeedAndAStickFlies) {
   type(U'c');
   fade();
   scroll(360, 150, 3);
-  EXPECT_GT(fly().speed_factor, 1.4);
+  EXPECT_GT(fly().habits.speed_factor, 1.4);
   const Flight before = fly().flight;
   viewer().handle(GamepadChanged{.present = true, .move_ahead = 1});
   frames(20);
@@ -149,14 +149,14 @@ TEST_F(FlightTest, AKeyGoesThroughTheWallInTheDark) {
   viewer().handle(TextTyped{U'x'});
   for (int i = 0; i < 60; ++i) {
     frame();
-    dark = dark || fly().dark > 0.95;
+    dark = dark || viewer().fade().dark() > 0.95;
     EXPECT_TRUE(fly().cavity.has_value() || dark) << "out before it was dark";
     const bool inside = spaces().cavities[0].walls.locate(fly().flight.eye) == Walls::Side::inside;
     EXPECT_EQ(inside, fly().cavity.has_value());
     EXPECT_TRUE(inside || spaces().outdoors(fly().flight.eye));
   }
   EXPECT_TRUE(dark);
-  EXPECT_EQ(fly().dark, 0);
+  EXPECT_EQ(viewer().fade().dark(), 0);
   ASSERT_TRUE(fly().on);
   ASSERT_FALSE(fly().cavity);
   EXPECT_TRUE(std::isfinite(spaces().outside.free_distance(fly().flight.eye, fly().flight.view_direction)))
@@ -191,7 +191,7 @@ TEST_F(FlightTest, AnotherModelEndsTheFlight) {
   wait_until_loaded();
   fade();
   EXPECT_FALSE(fly().on);
-  EXPECT_EQ(fly().dark, 0);
+  EXPECT_EQ(viewer().fade().dark(), 0);
   type(U'c');
   fade();
   EXPECT_TRUE(fly().on);

@@ -110,14 +110,14 @@ TEST_F(GamepadFlightTest, GoesInRidesAndComesOutWithoutKeys) {
   push_button(Pad::a);
   EXPECT_FALSE(fly().ride->playing);
   push_button(Pad::dpad_up);
-  EXPECT_FALSE(fly().show_labels);
+  EXPECT_FALSE(fly().habits.labels);
   push_button(Pad::dpad_down);
-  EXPECT_FALSE(fly().show_where);
+  EXPECT_FALSE(fly().habits.inset);
   push_button(Pad::start);
-  EXPECT_TRUE(viewer().state().help);
+  EXPECT_TRUE(mode<HelpMode>().dialog_open());
   keep_picture("gamepad-list");
   push_button(Pad::b);  // what is open first
-  EXPECT_FALSE(viewer().state().help);
+  EXPECT_FALSE(mode<HelpMode>().dialog_open());
   EXPECT_TRUE(fly().on);
   push_button(Pad::back);
   fade();

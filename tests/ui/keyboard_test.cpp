@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "engine/ui/actions.h"
+#include "engine/viewer/actions.h"
 #include "tests/ui/flight_fixture.h"
 
 namespace odontoscope::testing_support {
@@ -120,7 +120,7 @@ TEST_F(KeyboardTest, ANoteIsWrittenWithoutAMouse) {
   press_key(Key::enter);  // unfolds it
   ASSERT_TRUE(tab_to("Note this view"));
   press_key(Key::enter);
-  NotesState& notes = viewer().state().notes;
+  NotesState& notes = mode<NotesMode>().notes();
   ASSERT_TRUE(notes.draft);
   frames(3);
   for (const char32_t letter : {U'A', U'b'}) type(letter);
@@ -139,7 +139,7 @@ TEST_F(KeyboardTest, ANoteIsWrittenWithoutAMouse) {
 }
 
 TEST_F(KeyboardTest, ADialogIsAnsweredByTabAndEnter) {
-  viewer().state().notes.unsaved = true;
+  mode<NotesMode>().notes().unsaved = true;
   EXPECT_FALSE(viewer().may_close());
   frames(2);
   for (int i = 0; i < 3; ++i) {
@@ -153,7 +153,7 @@ TEST_F(KeyboardTest, ADialogIsAnsweredByTabAndEnter) {
   }
   press_key(Key::enter);  // the third: stay
   frames(2);
-  EXPECT_FALSE(viewer().state().notes.leaving);
+  EXPECT_FALSE(mode<NotesMode>().notes().leaving);
   EXPECT_FALSE(viewer().state().close);
   EXPECT_FALSE(interface().by_keys()) << "the dialog is gone";
 }
@@ -162,10 +162,10 @@ TEST_F(KeyboardTest, InFlightThePanelIsReachedAndFlyingGoesOn) {
   type(U'c');
   fade();
   ASSERT_TRUE(tab_to("Speed"));
-  const double speed_factor = fly().speed_factor;
+  const double speed_factor = fly().habits.speed_factor;
   const Flight before = fly().flight;
   press_key(Key::right);
-  EXPECT_GT(fly().speed_factor, speed_factor);
+  EXPECT_GT(fly().habits.speed_factor, speed_factor);
   EXPECT_EQ(fly().flight.view_direction, before.view_direction) << "it looked round as well";
   hold('w', 0.2);
   EXPECT_GT(glm::length(fly().flight.eye - before.eye), 0.01);
@@ -182,11 +182,11 @@ TEST_F(KeyboardTest, LengthsAreMeasuredInTheMiddleOfThePicture) {
   press_key(Key::f9);
   type(U'm');
   press_key(Key::enter);
-  ASSERT_EQ(viewer().state().measured.ends.size(), 1u);
+  ASSERT_EQ(mode<MeasureMode>().measured().ends.size(), 1u);
   press_key(Key::right);
   press_key(Key::enter);
-  ASSERT_EQ(viewer().state().measured.ends.size(), 2u);
-  EXPECT_GT(distance_between_mm(viewer().state().measured.ends[0], viewer().state().measured.ends[1]), 0.1);
+  ASSERT_EQ(mode<MeasureMode>().measured().ends.size(), 2u);
+  EXPECT_GT(distance_between_mm(mode<MeasureMode>().measured().ends[0], mode<MeasureMode>().measured().ends[1]), 0.1);
   keep_picture("keyboard-measure");
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "engine/navigate/built_in_lessons.h"
-#include "engine/ui/lesson_words.h"
+#include "engine/viewer/notes/lesson_words.h"
 #include "tests/ui/driver.h"
 
 namespace odontoscope::testing_support {
@@ -76,7 +76,7 @@ TEST_F(LanguageInTheWindow, HasRoomForItsWords) {
   expect_all_fits("the files");
   press_key(Key::escape);
   viewer().state().pending_actions.push_back(Action::write_note);
-  viewer().state().notes.write = true;
+  mode<NotesMode>().notes().write = true;
   expect_all_fits("a note");
   keep_picture("german_note");
   press_key(Key::escape);

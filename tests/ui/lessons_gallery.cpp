@@ -18,7 +18,7 @@ TEST_F(FlightTest, DISABLED_LessonsGallery) {
     viewer().open({.lesson = number});
     const std::size_t count = built_in_lessons()[number].notes;
     for (std::size_t note = 0; note < count; ++note) {
-      viewer().state().notes.go_to = note;
+      mode<NotesMode>().notes().go_to = note;
       frame();
       size_ = {64, 48};  // on the way nobody looks
       for (int i = 0; i < 8; ++i) frame(0.3);

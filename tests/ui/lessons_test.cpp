@@ -8,8 +8,8 @@
 
 #include "engine/navigate/built_in_lessons.h"
 #include "engine/navigate/screen.h"
-#include "engine/ui/annotations.h"
-#include "engine/ui/lesson_mode.h"
+#include "engine/viewer/look/annotations.h"
+#include "engine/viewer/notes/lesson_player.h"
 #include "tests/ui/flight_fixture.h"
 
 namespace odontoscope::testing_support {
@@ -17,8 +17,8 @@ namespace {
 
 class LessonsTest : public FlightTest {
  protected:
-  NotesState& notes() { return viewer().state().notes; }
-  const LessonMode& lesson() { return viewer().lesson(); }
+  NotesState& notes() { return mode<NotesMode>().notes(); }
+  const LessonPlayer& lesson() { return mode<NotesMode>().lesson(); }
   void settle() {
     for (int i = 0; i < 6; ++i) frame(0.3);
   }
@@ -113,7 +113,7 @@ TEST_F(LessonsTest, AQuizIsTakenByTheKeyboardAloneAndItsMarksAreSaved) {
   take(toy_quiz(viewer()));
   ASSERT_TRUE(lesson().quiz());
   EXPECT_TRUE(lesson().wants_click(notes()));
-  EXPECT_FALSE(viewer().names_shown()) << "they would give it away";
+  EXPECT_FALSE(mode<NamesMode>().names_shown()) << "they would give it away";
   press_key(Key::right);  // turns the tooth
   press_key(Key::enter);  // at the cross
   EXPECT_EQ(lesson().feedback(notes()), "Right: enamel.");
@@ -420,16 +420,16 @@ class FirstRunTest : public FlightTest {
 
 TEST_F(FirstRunTest, HintsAreTickedAndGoForGood) {
   viewer_with(sample_tooth_loaded());
-  ASSERT_TRUE(viewer().hints().shown(viewer().state()));
+  ASSERT_TRUE(mode<HelpMode>().hints_shown());
   frames(2);
   keep_picture("first-run");
-  EXPECT_FALSE(viewer().hints().turned());
+  EXPECT_FALSE(mode<HelpMode>().hints().turned());
   const Area area = viewer().panes().front().area;
   drag(area.left + 300, area.top + 300, area.left + 400, area.top + 300);
-  EXPECT_TRUE(viewer().hints().turned());
+  EXPECT_TRUE(mode<HelpMode>().hints().turned());
   type(U'c');
   fade();
-  EXPECT_TRUE(viewer().hints().flown());
+  EXPECT_TRUE(mode<HelpMode>().hints().flown());
   EXPECT_TRUE(viewer().state().settings.hints);
   type(U'1');  // a canal by its number
   fade();
@@ -442,7 +442,7 @@ TEST_F(FirstRunTest, HintsCanBeClosed) {
   viewer_with_tooth();
   frames(2);
   click_control("Got it", {}, "hints");
-  EXPECT_FALSE(viewer().hints().shown(viewer().state()));
+  EXPECT_FALSE(mode<HelpMode>().hints_shown());
   EXPECT_FALSE(viewer().state().settings.hints);
 }
 

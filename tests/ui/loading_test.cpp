@@ -125,10 +125,10 @@ TEST_F(Loading, AVolumeIsAskedAbout) {
                .wants_level = is_nrrd});
   viewer().handle(FilesDropped{{"/data/tooth.nrrd"}});
   frames(3);
-  ASSERT_TRUE(viewer().state().question);
+  ASSERT_TRUE(mode<OpenMode>().question());
   EXPECT_FALSE(viewer().loading());
   keep_picture("volume-question");
-  viewer().state().question->iso = 130;
+  mode<OpenMode>().question()->iso = 130;
   click_control("Make the model", {}, "question");
   frame();
   wait_until_loaded();
@@ -187,7 +187,7 @@ class VolumeAsked : public Loading {
                  .wants_level = is_nrrd,
                  .preview = std::move(preview)});
     viewer().open({.file = "/data/tooth.nrrd", .volume = {}, .from_command_line = true});
-    for (int i = 0; i < 500 && viewer().state().question && viewer().state().question->reading; ++i) {
+    for (int i = 0; i < 500 && mode<OpenMode>().question() && mode<OpenMode>().question()->reading; ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
       frame();
     }
@@ -198,18 +198,18 @@ class VolumeAsked : public Loading {
 
 TEST_F(VolumeAsked, ShowsASliceItsOutlineAndTheGreyValues) {
   ask([](const LoadRequest&, const Progress&) { return volume_preview(ball(false)); });
-  ASSERT_TRUE(viewer().state().question && viewer().state().question->preview);
-  const VolumeQuestion& question = *viewer().state().question;
+  ASSERT_TRUE(mode<OpenMode>().question() && mode<OpenMode>().question()->preview);
+  const VolumeQuestion& question = *mode<OpenMode>().question();
   EXPECT_GT(question.iso, 2);  // Otsu's
   EXPECT_LT(question.iso, 200);
   EXPECT_EQ(question.slice, 10u);  // the middle one, of three with as much of the ball
   EXPECT_GT(question.drawn.outline.size(), 40u);
   keep_picture("volume-preview");
   const Image before = picture();
-  viewer().state().question->slice = 4;
+  mode<OpenMode>().question()->slice = 4;
   frames(2);
   EXPECT_NE(picture(), before);
-  viewer().state().question->slice = 10;
+  mode<OpenMode>().question()->slice = 10;
   frames(2);
   const std::size_t outline = question.drawn.outline.size();
   const glm::dvec2 bar = control("##histogram", {}, child_of("question", "answers"));
@@ -229,8 +229,8 @@ TEST_F(VolumeAsked, ShowsASliceItsOutlineAndTheGreyValues) {
 
 TEST_F(VolumeAsked, TheValueMovesWithTheMouseAndItsOutlineWithIt) {
   ask([](const LoadRequest&, const Progress&) { return volume_preview(ball(false)); });
-  ASSERT_TRUE(viewer().state().question && viewer().state().question->preview);
-  const VolumeQuestion& question = *viewer().state().question;
+  ASSERT_TRUE(mode<OpenMode>().question() && mode<OpenMode>().question()->preview);
+  const VolumeQuestion& question = *mode<OpenMode>().question();
   const glm::dvec2 bar = control("##histogram", {}, child_of("question", "answers"));
   move(bar.x - 190, bar.y);
   press();
@@ -280,15 +280,15 @@ TEST_F(VolumeAsked, OfSeveralSeriesItIsAskedFirstWhichOne) {
         .modality = "MR", .description = "Film", .trouble = "time-series", .first_file = "/data/C/IM0001", .files = 9};
     return several;
   });
-  ASSERT_TRUE(viewer().state().question);
-  EXPECT_EQ(viewer().state().question->series.size(), 3u);
-  EXPECT_FALSE(viewer().state().question->preview);
+  ASSERT_TRUE(mode<OpenMode>().question());
+  EXPECT_EQ(mode<OpenMode>().question()->series.size(), 3u);
+  EXPECT_FALSE(mode<OpenMode>().question()->preview);
   keep_picture("series-question");
   press_key(Key::enter);  // nothing to make yet
   frames(2);
-  ASSERT_TRUE(viewer().state().question);
+  ASSERT_TRUE(mode<OpenMode>().question());
   click_control("2   CT   Bone 0.5", {"/data/B/IM0001"}, child_of("question", "series"));
-  for (int i = 0; i < 500 && !(viewer().state().question && viewer().state().question->preview); ++i) {
+  for (int i = 0; i < 500 && !(mode<OpenMode>().question() && mode<OpenMode>().question()->preview); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     frame();
   }
@@ -307,28 +307,28 @@ TEST_F(VolumeAsked, OfTheCtMolarOtsuFindsTheTooth) {
   if (std::string(ODONTOSCOPE_DATA).empty() || !std::filesystem::exists(file))
     GTEST_SKIP() << "the data set ct_molar is not here";
   ask([file](const LoadRequest&, const Progress&) { return volume_preview(read_volume(file.string())); });
-  ASSERT_TRUE(viewer().state().question && viewer().state().question->preview);
+  ASSERT_TRUE(mode<OpenMode>().question() && mode<OpenMode>().question()->preview);
   keep_picture("volume-preview-ct");
-  EXPECT_FALSE(viewer().state().question->of_labels());
-  EXPECT_GT(viewer().state().question->iso, 60);  // 120 is what the examples take
-  EXPECT_LT(viewer().state().question->iso, 160);
+  EXPECT_FALSE(mode<OpenMode>().question()->of_labels());
+  EXPECT_GT(mode<OpenMode>().question()->iso, 60);  // 120 is what the examples take
+  EXPECT_LT(mode<OpenMode>().question()->iso, 160);
 }
 
 TEST_F(VolumeAsked, ListsTheLabelsOfALabelMap) {
   ask([](const LoadRequest&, const Progress&) { return volume_preview(ball(true)); });
-  ASSERT_TRUE(viewer().state().question && viewer().state().question->of_labels());
+  ASSERT_TRUE(mode<OpenMode>().question() && mode<OpenMode>().question()->of_labels());
   keep_picture("label-map-preview");
-  EXPECT_EQ(viewer().state().question->labels, (std::set<std::int64_t>{1, 2}));
-  viewer().state().question->as_grey = true;
+  EXPECT_EQ(mode<OpenMode>().question()->labels, (std::set<std::int64_t>{1, 2}));
+  mode<OpenMode>().question()->as_grey = true;
   frames(2);
-  EXPECT_FALSE(viewer().state().question->of_labels());
-  viewer().state().question->as_grey = false;
-  viewer().state().question->labels = {};
+  EXPECT_FALSE(mode<OpenMode>().question()->of_labels());
+  mode<OpenMode>().question()->as_grey = false;
+  mode<OpenMode>().question()->labels = {};
   frames(2);
   press_key(Key::enter);  // nothing to make
   frames(2);
-  ASSERT_TRUE(viewer().state().question);
-  viewer().state().question->labels = {2};
+  ASSERT_TRUE(mode<OpenMode>().question());
+  mode<OpenMode>().question()->labels = {2};
   frames(2);
   click_control("Make the model", {}, "question");
   frame();
@@ -342,7 +342,7 @@ TEST_F(VolumeAsked, WhatCannotBeReadIsSaidAtOnce) {
   ask([](const LoadRequest&, const Progress&) -> VolumePreview {
     throw FileError("tooth.nrrd", "its pixels end early", "Fetch it again.");
   });
-  EXPECT_FALSE(viewer().state().question);
+  EXPECT_FALSE(mode<OpenMode>().question());
   EXPECT_NE(viewer().state().trouble.find("end early"), std::string::npos);
 }
 

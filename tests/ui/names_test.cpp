@@ -1,6 +1,6 @@
 // Names beside the tooth: a line to a place on each structure that is seen, and two sentences about it on a click.
 
-#include "engine/ui/names.h"
+#include "engine/viewer/names/names.h"
 
 #include <algorithm>
 
@@ -16,9 +16,9 @@ class Names : public ViewerTest {
     if (!IsSkipped()) viewer_with_tooth();
   }
   std::vector<DrawnName> drawn() {
-    return drawn_names(viewer().state(), viewer().panes().front(), viewer().interface(), 1);
+    return drawn_names(mode<NamesMode>().names(), viewer().state(), viewer().panes().front(), viewer().interface(), 1);
   }
-  const std::string& structure(const DrawnName& name) { return viewer().state().names[name.which].structure; }
+  const std::string& structure(const DrawnName& name) { return mode<NamesMode>().names().places[name.which].structure; }
   std::vector<std::string> seen() {
     std::vector<std::string> all;
     for (const DrawnName& name : drawn()) all.push_back(structure(name));
@@ -66,23 +66,23 @@ TEST_F(Names, AClickTellsWhatItIsAndEscapePutsItAway) {
   ASSERT_FALSE(all.empty());
   const DrawnName& first = all.front();
   click(first.box.left + first.box.width / 2, first.box.top + first.box.height / 2);
-  EXPECT_EQ(viewer().state().name_told, std::optional(first.which));
-  EXPECT_FALSE(viewer().state().canal);
+  EXPECT_EQ(mode<NamesMode>().names().told, std::optional(first.which));
+  EXPECT_FALSE(mode<NamesMode>().canal());
   keep_picture("name-told");
   press_key(Key::escape);
-  EXPECT_FALSE(viewer().state().name_told);
+  EXPECT_FALSE(mode<NamesMode>().names().told);
   type(U'h');
   frame();
   EXPECT_FALSE(viewer().state().settings.names);
   click(first.box.left + first.box.width / 2, first.box.top + first.box.height / 2);
-  EXPECT_FALSE(viewer().state().name_told);
+  EXPECT_FALSE(mode<NamesMode>().names().told);
 }
 
 TEST_F(Names, AreNotForTheFlight) {
   type(U'c');
   for (int i = 0; i < 8; ++i) frame(0.2);
-  ASSERT_TRUE(viewer().state().fly.on);
-  EXPECT_FALSE(viewer().names_shown());
+  ASSERT_TRUE(mode<FlyMode>().state().on);
+  EXPECT_FALSE(mode<NamesMode>().names_shown());
 }
 
 TEST(NamesTold, EveryTissueHasTwoSentences) {

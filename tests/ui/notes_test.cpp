@@ -14,7 +14,7 @@ namespace {
 
 class NotesTest : public FlightTest {
  protected:
-  NotesState& notes() { return viewer().state().notes; }
+  NotesState& notes() { return mode<NotesMode>().notes(); }
   void write_note(const std::string& title) {
     notes().write = true;
     frame();
@@ -242,7 +242,7 @@ TEST_F(FlightTest, NotesAreWrittenSavedOpenedAndPlayedAsALesson) {
   frames(60);
   const Flight inside = fly().flight;
   type(U'n');
-  NotesState& notes = viewer().state().notes;
+  NotesState& notes = mode<NotesMode>().notes();
   ASSERT_TRUE(notes.draft);
   for (const char32_t letter : std::u32string(U"wwww")) type(letter);  // into the title, not into the wall
   press_key(Key::enter);
@@ -271,7 +271,7 @@ TEST_F(FlightTest, NotesAreWrittenSavedOpenedAndPlayedAsALesson) {
   viewer().handle(FilesDropped{{file.string()}});
   frame();
   fade();
-  NotesState& opened = viewer().state().notes;
+  NotesState& opened = mode<NotesMode>().notes();
   ASSERT_EQ(opened.shown, std::optional<std::size_t>(0));
   ASSERT_TRUE(fly().on);
   EXPECT_LT(glm::length(fly().flight.eye - inside.eye), 1e-4);
@@ -304,7 +304,7 @@ TEST_F(FlightTest, ABrokenTourIsToldAndNothingElseChanges) {
 
 TEST_F(FlightTest, ANoteFromAnotherToothIsToldOf) {
   viewer_with_tooth();
-  NotesState& notes = viewer().state().notes;
+  NotesState& notes = mode<NotesMode>().notes();
   LessonNote elsewhere{"Elsewhere", "", {}, true};
   elsewhere.camera.position = {500, 0, 0};
   notes.lesson.notes.push_back(elsewhere);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <thread>
 
+#include "engine/navigate/section_handle.h"
 #include "engine/picture/compare.h"
 #include "tests/ui/driver.h"
 
@@ -58,7 +59,7 @@ TEST_F(Panels, OpacitiesAreRememberedAndGivenBack) {
     EXPECT_NE(place.id, control_id("Usual colours and opacities")) << "nothing to give back";
 
   LoadedModel given = toy_tooth();  // by the command line
-  given.looks_given = true;
+  given.given.looks = true;
   ViewerOptions options{.load = [given](const LoadRequest&, const Progress&) { return given; }, .settings = settings};
   viewer_with_tooth(std::move(options));
   EXPECT_EQ(viewer().state().scene.look_of("enamel")->opacity, usual.opacity);
@@ -180,12 +181,12 @@ TEST_F(Panels, ClicksInThePanelDoNotReachThePicture) {
 
 TEST_F(Panels, HelpListsTheKeys) {
   type(U'?');
-  EXPECT_TRUE(viewer().state().help);
+  EXPECT_TRUE(mode<HelpMode>().dialog_open());
   size_ = size;
   frames(3);
   keep_picture("help");
   press_key(Key::escape);
-  EXPECT_FALSE(viewer().state().help);
+  EXPECT_FALSE(mode<HelpMode>().dialog_open());
 }
 
 TEST_F(Panels, DragsOnACardDoNotReachThePicture) {
@@ -199,15 +200,15 @@ TEST_F(Panels, DragsOnACardDoNotReachThePicture) {
 
 TEST_F(Panels, TypingAFileNameIsNoCommand) {
   press_key(Key::o, {.control = true});
-  ASSERT_TRUE(viewer().state().file_asked_for);
+  ASSERT_TRUE(mode<OpenMode>().file_asked_for());
   frames(3);
   for (const char32_t c : {U'/', U's', U'b', U'5', U'?'}) type(c);
-  EXPECT_EQ(*viewer().state().file_asked_for, "/sb5?");
+  EXPECT_EQ(*mode<OpenMode>().file_asked_for(), "/sb5?");
   EXPECT_FALSE(viewer().state().scene.section);
-  EXPECT_FALSE(viewer().state().help);
+  EXPECT_FALSE(mode<HelpMode>().dialog_open());
   keep_picture("open");
   press_key(Key::escape);
-  EXPECT_FALSE(viewer().state().file_asked_for);
+  EXPECT_FALSE(mode<OpenMode>().file_asked_for());
 }
 
 TEST_F(Panels, EnterOpensTheFile) {
@@ -270,15 +271,15 @@ TEST_F(Panels, AnAmberModelIsAmberAndItsPlacesLeadThere) {
   };
   EXPECT_GT(amberness(picture()), 60u);
   keep_picture("amber");
-  EXPECT_FALSE(viewer().state().looked_at);
-  viewer().state().look_at = place;
+  EXPECT_FALSE(mode<LookMode>().looked_at());
+  mode<LookMode>().look_at(place);
   frames(4, 0.2);
-  ASSERT_TRUE(viewer().state().looked_at);
+  ASSERT_TRUE(mode<LookMode>().looked_at());
   EXPECT_EQ(viewer().state().scene.camera.target, place);
   keep_picture("amber_place");
   press_key(Key::escape);
   frame();
-  EXPECT_FALSE(viewer().state().looked_at);
+  EXPECT_FALSE(mode<LookMode>().looked_at());
   viewer_with_tooth();
   EXPECT_EQ(amberness(picture()), 0u);
 }

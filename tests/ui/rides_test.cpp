@@ -1,8 +1,8 @@
 // Rides along canals in the viewer, and where one is told to be.
 
 #include "engine/navigate/screen.h"
-#include "engine/ui/annotations.h"
-#include "engine/ui/fly_annotations.h"
+#include "engine/viewer/fly/fly_annotations.h"
+#include "engine/viewer/look/annotations.h"
 #include "tests/ui/flight_fixture.h"
 
 namespace odontoscope::testing_support {
@@ -17,7 +17,7 @@ TEST_F(FlightTest, ARideLeadsAlongACanalAndStopsAtItsEnd) {
   ASSERT_TRUE(fly().ride);
   EXPECT_TRUE(fly().ride->playing);
   const FlightSpace& pulp = spaces().cavities.at(0);
-  EXPECT_NE(where_in_words(viewer().state()).find("pulp chamber"), std::string::npos);
+  EXPECT_NE(where_in_words(mode<FlyMode>().state(), viewer().state()).find("pulp chamber"), std::string::npos);
   press_key(Key::space);
   EXPECT_FALSE(fly().ride->playing);
   frames(90);
@@ -30,7 +30,7 @@ TEST_F(FlightTest, ARideLeadsAlongACanalAndStopsAtItsEnd) {
   EXPECT_GE(pulp.walls.nearest(fly().flight.eye).distance, spaces().rules.clearance);
   ASSERT_TRUE(fly().place);
   EXPECT_GT(fly().place->depth, 0);
-  EXPECT_NE(measured_in_words(viewer().state()).find("to the apex"), std::string::npos);
+  EXPECT_NE(measured_in_words(mode<FlyMode>().state(), viewer().state()).find("to the apex"), std::string::npos);
   type(U'r');
   frames(40);
   EXPECT_LT(fly().ride->along, fly().ride->track.points.back().along);

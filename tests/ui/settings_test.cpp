@@ -1,5 +1,5 @@
 // What is remembered, and what a hostile file can do to it: nothing.
-#include "engine/ui/settings.h"
+#include "engine/viewer/settings.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

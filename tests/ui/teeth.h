@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "engine/ui/loading.h"
+#include "engine/viewer/loading.h"
 #include "recon/sample/sample_tooth.h"
 
 namespace odontoscope::testing_support {

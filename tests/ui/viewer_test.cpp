@@ -8,8 +8,8 @@
 #include "engine/picture/compare.h"
 #include "engine/picture/png.h"
 #include "engine/scene/scene_json.h"
-#include "engine/ui/actions.h"
-#include "engine/ui/annotations.h"
+#include "engine/viewer/actions.h"
+#include "engine/viewer/look/annotations.h"
 #include "recon/core/read_file.h"
 #include "tests/ui/driver.h"
 
@@ -82,7 +82,7 @@ TEST_F(Looking, RightAndShiftDragMoveWhatIsUnderThePointer) {
 TEST_F(Looking, TheWheelGoesToThePointer) {
   const glm::dvec2 place(middle_x() + 40, middle_y() - 60);
   move(place.x, place.y);
-  const auto hit = viewer().state().under_pointer;
+  const auto hit = viewer().pointing().hit;
   ASSERT_TRUE(hit);
   const double before = glm::distance(camera().position, hit->point_mm);
   scroll(place.x, place.y, 3);
@@ -92,7 +92,7 @@ TEST_F(Looking, TheWheelGoesToThePointer) {
 
 TEST_F(Looking, ADoubleClickMakesThePivot) {
   move(middle_x() + 40, middle_y() - 60);
-  const glm::dvec3 point = viewer().state().under_pointer.value().point_mm;
+  const glm::dvec3 point = viewer().pointing().hit.value().point_mm;
   click(middle_x() + 40, middle_y() - 60);
   EXPECT_GT(glm::distance(camera().target, point), 0.5);
   click(middle_x() + 40, middle_y() - 60);
@@ -188,24 +188,24 @@ TEST_F(Looking, DistancesAreThoseBetweenThePoints) {
   type(U'5');
   frames(5, 0.1);
   type(U'm');
-  EXPECT_EQ(viewer().state().tool, Tool::distance);
+  EXPECT_EQ(mode<MeasureMode>().tool(), Tool::distance);
   click(middle_x() - 100, middle_y());
   click(middle_x() + 120, middle_y() + 30);
-  const Measured& measured = viewer().state().measured;
+  const Measured& measured = mode<MeasureMode>().measured();
   ASSERT_EQ(measured.ends.size(), 2u);
   EXPECT_LT(glm::distance(pixel(measured.ends[0].point_mm), glm::dvec2(middle_x() - 100, middle_y())), 0.5);
   EXPECT_GT(distance_between_mm(measured.ends[0], measured.ends[1]), 1);
   keep_picture("distance");
   press_key(Key::escape);
-  EXPECT_EQ(viewer().state().tool, Tool::look);
+  EXPECT_EQ(mode<MeasureMode>().tool(), Tool::look);
 }
 
 TEST_F(Looking, WallsAreMeasuredWhereOneClicks) {
   type(U't');
   click(middle_x() - 20, middle_y() - 60);
-  ASSERT_TRUE(viewer().state().measured.wall);
-  EXPECT_GT(viewer().state().measured.wall->along_normal_mm, 0.1);
-  EXPECT_LT(viewer().state().measured.wall->along_normal_mm, 15);
+  ASSERT_TRUE(mode<MeasureMode>().measured().wall);
+  EXPECT_GT(mode<MeasureMode>().measured().wall->along_normal_mm, 0.1);
+  EXPECT_LT(mode<MeasureMode>().measured().wall->along_normal_mm, 15);
   keep_picture("wall");
 }
 
@@ -214,7 +214,7 @@ TEST_F(Looking, DraggingWithAToolStillTurns) {
   const Camera before = camera();
   drag(middle_x(), middle_y(), middle_x() + 80, middle_y() + 10);
   EXPECT_NE(camera(), before);
-  EXPECT_TRUE(viewer().state().measured.ends.empty());
+  EXPECT_TRUE(mode<MeasureMode>().measured().ends.empty());
 }
 
 TEST_F(Looking, PicturesAndScenesAreSavedAndDrawnAgain) {
@@ -351,7 +351,7 @@ TEST_F(Looking, NoSequenceOfEventsBreaksIt) {
 
 TEST(Actions, EveryKeyIsOneActionAndHasWords) {
   std::set<char32_t> characters;
-  for (const ActionKey& key : action_keys()) {
+  for (const ActionKey& key : usual_keys().keys) {
     EXPECT_FALSE(key.words.empty());
     if (key.character != 0) {
       EXPECT_TRUE(characters.insert(key.character).second) << key.printed;

@@ -251,7 +251,7 @@ TEST_F(VolumePanel, AnotherModelBeginsAnew) {
   viewer_with_tooth({.load = [](const LoadRequest&, const Progress&) { return tooth_of_a_volume(); }});
   frames(2);
   EXPECT_FALSE(look().shows_volume());
-  EXPECT_EQ(viewer().state().volume_layout.preset, TransferPreset::tooth);
+  EXPECT_EQ(mode<VolumeMode>().layout().preset, TransferPreset::tooth);
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <string>
 
-#include "engine/ui/window_loop.h"
 #include "engine/view/offscreen.h"
+#include "engine/viewer/window_loop.h"
 #include "tests/render/shapes.h"
 
 namespace odontoscope::testing_support {

@@ -10,11 +10,11 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <thread>
 
+#include "engine/headset_viewer/headset_loop.h"
+#include "engine/headset_viewer/headset_texture.h"
 #include "engine/picture/png.h"
-#include "engine/ui/headset_loop.h"
-#include "engine/ui/headset_texture.h"
-#include "engine/ui/window_loop.h"
 #include "engine/view/offscreen.h"
+#include "engine/viewer/window_loop.h"
 #include "tests/render/shapes.h"
 #include "tests/xr/monado.h"
 #include "tests/xr/validation.h"
@@ -229,7 +229,7 @@ TEST_F(VisitTest, AScriptedTriggerEntersThePulpAndMenuLeadsOut) {
           }
           case 1:  // point at the pulp's roomiest place until the ray meets it
             if (frames_here % 10 != 0 || !hand.tracked || cavities.empty()) return true;
-            if (now.pointed[1] && now.pointed[1]->structure == "pulp") {
+            if (now.hands.pointed[1] && now.hands.pointed[1]->structure == "pulp") {
               const auto [left, right] = seen(frame);
               keep_picture("pointing", left, right);
               body.right.trigger = 1;
@@ -238,7 +238,7 @@ TEST_F(VisitTest, AScriptedTriggerEntersThePulpAndMenuLeadsOut) {
             aim(body.right, hand, to_room(now.stage, cavities[0].middle));
             return true;
           case 2:  // the fade, then inside
-            if (!now.cavity || now.dark > 0) return true;
+            if (!now.cavity || now.seen.dark > 0) return true;
             body.right.trigger = 0;
             entered_at = now.eye_mm;
             if (frame.draw && frames_here > 60) {
@@ -320,14 +320,19 @@ TEST_F(VisitTest, APanelInTheRoomIsOperatedByARayOutsideAndOnATour) {
         const CentreLine& line = *rideable(cavities[0].lines)[0];
         char words[80];
         std::snprintf(words, sizeof words, "%s   %.1f mm", line.name.c_str(), line.length_to_wall());
-        clicks = {
-            {HeadsetPage::tooth,
-             {"Cut it open"},
-             [](const Visit& now) { return now.scene.section.has_value(); },
-             "panel-outside"},
-            {HeadsetPage::tooth, {"page", "Canals"}, [](const Visit&) { return true; }, ""},
-            {HeadsetPage::canals, {words}, [](const Visit& now) { return now.tour && now.dark == 0; }, "panel-on-tour"},
-            {HeadsetPage::canals, {"Out again"}, [](const Visit& now) { return !now.cavity && now.dark == 0; }, ""}};
+        clicks = {{HeadsetPage::tooth,
+                   {"Cut it open"},
+                   [](const Visit& now) { return now.scene.section.has_value(); },
+                   "panel-outside"},
+                  {HeadsetPage::tooth, {"page", "Canals"}, [](const Visit&) { return true; }, ""},
+                  {HeadsetPage::canals,
+                   {words},
+                   [](const Visit& now) { return now.tour.ride && now.seen.dark == 0; },
+                   "panel-on-tour"},
+                  {HeadsetPage::canals,
+                   {"Out again"},
+                   [](const Visit& now) { return !now.cavity && now.seen.dark == 0; },
+                   ""}};
         return loaded;
       },
       [&](const HeadsetFrame& frame, const Visit& now) {
@@ -341,7 +346,7 @@ TEST_F(VisitTest, APanelInTheRoomIsOperatedByARayOutsideAndOnATour) {
           if (frames_here % 6 != 0) return true;
           if (!wanted) wanted = control_on(gl(), now, click.page, {model, pickable, scene, cavities}, title, click.ids);
           if (!wanted) return false;
-          if (now.on_panel[1] && glm::length(now.on_panel[1]->at - *wanted) < 0.012)
+          if (now.hands.on_panel[1] && glm::length(now.hands.on_panel[1]->at - *wanted) < 0.012)
             body.right.trigger = 1;
           else
             aim(body.right, hand, place_of(*now.panel, *wanted));

@@ -1,0 +1,11 @@
+#pragma once
+// A teacher's notes: the list in the panel.
+
+#include "engine/ui/interface.h"
+#include "engine/viewer/notes/notes_state.h"
+
+namespace odontoscope {
+
+void notes_section(NotesState& notes, bool from_outside, const Interface& interface);
+
+}  // namespace odontoscope
