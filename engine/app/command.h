@@ -13,7 +13,7 @@
 
 namespace odontoscope::app {
 
-struct MadeModel;  // engine/app/model.h
+struct MadeModel;  // engine/app/made_model.h
 
 /// What every subcommand is given when it runs.
 struct Session {

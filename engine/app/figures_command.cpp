@@ -13,7 +13,7 @@
 #include "engine/app/words.h"
 #include "engine/figures/draw.h"
 #include "engine/figures/figures.h"
-#include "engine/figures/page.h"
+#include "engine/figures/figures_page.h"
 #include "engine/gpu/context.h"
 #include "engine/picture/png.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/app/certificate.h"
+#include "engine/app/certificate_text.h"
 #include "engine/scene/scene.h"
 #include "engine/web/page.h"
 #include "recon/core/progress.h"

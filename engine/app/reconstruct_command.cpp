@@ -13,7 +13,7 @@
 #include "engine/app/db_options.h"
 #include "engine/app/dt_options.h"
 #include "engine/app/foreign_input.h"
-#include "engine/app/model.h"
+#include "engine/app/made_model.h"
 #include "engine/app/options.h"
 #include "engine/app/outputs.h"
 #include "engine/app/structure_files.h"

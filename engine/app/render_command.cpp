@@ -25,7 +25,7 @@
 #include "engine/app/tour_film.h"
 #include "engine/app/volume_look_words.h"
 #include "engine/app/wall_marks.h"
-#include "engine/picture/film.h"
+#include "engine/picture/film_file.h"
 #include "engine/picture/png.h"
 #include "engine/scene/scene_json.h"
 #include "engine/view/offscreen.h"

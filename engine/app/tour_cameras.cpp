@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/app/whole_structures.h"
-#include "engine/navigate/camera_path.h"
+#include "engine/navigate/tour_camera_path.h"
 #include "recon/cavity/tooth_axis.h"
 
 namespace odontoscope::app {

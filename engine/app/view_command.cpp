@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "engine/app/certificate.h"
+#include "engine/app/certificate_text.h"
 #include "engine/app/command.h"
 #include "engine/app/data_colour_words.h"
 #include "engine/app/draft.h"
@@ -26,7 +26,7 @@
 #include "engine/view/offscreen.h"
 #include "engine/viewer/viewer.h"
 #include "engine/viewer/window_loop.h"
-#include "recon/cavity/names.h"
+#include "recon/cavity/canal_names.h"
 #include "recon/core/system_processes.h"
 #include "recon/radiograph/tissue.h"
 #include "recon/sample/tooth_number.h"

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "engine/app/called_lesson.h"
 #include "engine/app/command.h"
-#include "engine/app/lesson.h"
 #include "engine/app/model_page.h"
 #include "engine/app/options.h"
 #include "engine/app/outputs.h"

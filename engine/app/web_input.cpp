@@ -8,9 +8,9 @@
 #include <memory>
 #include <utility>
 
-#include "engine/app/certificate.h"
+#include "engine/app/certificate_text.h"
 #include "engine/app/foreign_input.h"
-#include "engine/app/model.h"
+#include "engine/app/made_model.h"
 #include "engine/app/model_page.h"
 #include "engine/app/shown_values.h"
 #include "engine/app/sniff.h"

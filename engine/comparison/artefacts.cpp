@@ -11,7 +11,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "engine/scene/vector.h"
+#include "engine/scene/glm_vector.h"
 #include "recon/mesh/faulty_edges.h"
 
 namespace odontoscope {

@@ -7,7 +7,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "engine/headset/visit_steps.h"
-#include "engine/scene/vector.h"
+#include "engine/scene/glm_vector.h"
 
 namespace odontoscope::visit_steps {
 

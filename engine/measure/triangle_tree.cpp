@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "engine/scene/vector.h"
+#include "engine/scene/glm_vector.h"
 #include "recon/mesh/nearest_on_triangle.h"
 
 namespace odontoscope {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "engine/scene/vector.h"
+#include "engine/scene/glm_vector.h"
 
 namespace odontoscope {
 

@@ -6,7 +6,7 @@
 
 #include "engine/navigate/ride.h"
 #include "engine/navigate/screen.h"
-#include "engine/scene/vector.h"
+#include "engine/scene/glm_vector.h"
 
 namespace odontoscope {
 

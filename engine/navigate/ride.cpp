@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "engine/navigate/tour.h"
-#include "engine/scene/vector.h"
+#include "engine/scene/glm_vector.h"
 #include "recon/core/portable_math.h"
 
 namespace odontoscope {

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "engine/scene/vector.h"
+#include "engine/scene/glm_vector.h"
 
 namespace odontoscope {
 

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "engine/scene/vector.h"
+#include "engine/scene/glm_vector.h"
 #include "recon/core/portable_math.h"
 #include "recon/mesh/exact_predicates.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/picture/compare.h"
+#include "engine/picture/image_difference.h"
 #include "recon/core/progress.h"
 
 namespace odontoscope {

@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "engine/scene/glm_vector.h"
 #include "engine/scene/normals.h"
-#include "engine/scene/vector.h"
 #include "recon/core/error.h"
 #include "recon/radiograph/tissue.h"
 

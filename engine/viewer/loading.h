@@ -70,7 +70,7 @@ struct LoadedModel {
   std::vector<IsoOf> isos = {};                     // of them, at which surfaces of `model` were taken
   std::optional<DeviationSummary> deviations = {};  // of these surfaces from them; none: nobody asked yet
   std::shared_ptr<const Pickable> pickable;         // never null
-  std::shared_ptr<const FlightSpaces> flight;       // null: one cannot fly in it
+  std::shared_ptr<const FlightSpaces> flight;       // null: it has no cavity to fly in
   Scene scene;                                      // a good first look
   Certificate certificate;
   std::size_t triangles = 0;

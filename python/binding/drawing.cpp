@@ -13,7 +13,7 @@
 #include <utility>
 #include <variant>
 
-#include "engine/app/lesson.h"
+#include "engine/app/called_lesson.h"
 #include "engine/app/model_page.h"
 #include "engine/app/shown_values.h"
 #include "engine/app/volume_look_words.h"

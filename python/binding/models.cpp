@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "engine/app/model.h"
+#include "engine/app/made_model.h"
 #include "engine/app/sniff.h"
 #include "python/binding/arrays.h"
 #include "python/binding/parts.h"

@@ -21,7 +21,7 @@
 #include "engine/app/wall_marks.h"
 #include "engine/app/whole_structures.h"
 #include "engine/gpu/context.h"
-#include "engine/picture/film.h"
+#include "engine/picture/film_file.h"
 #include "engine/scene/scene_json.h"
 #include "python/binding/arrays.h"
 #include "python/binding/session.h"

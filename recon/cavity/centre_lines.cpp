@@ -10,10 +10,10 @@
 #include <tuple>
 
 #include "recon/cavity/branches.h"
+#include "recon/cavity/canal_names.h"
 #include "recon/cavity/centring.h"
 #include "recon/cavity/forks.h"
 #include "recon/cavity/limits.h"
-#include "recon/cavity/names.h"
 #include "recon/cavity/orifice.h"
 #include "recon/core/error.h"
 

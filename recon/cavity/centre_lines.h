@@ -35,7 +35,7 @@ struct CentrePoint {
 
 /// Points are evenly spaced, at least two. Straight lines between them stay in the void.
 struct CentreLine {
-  std::string name;  // "canal 1", or as the anatomy knows it: see names.h
+  std::string name;  // "canal 1", or as the anatomy knows it: see canal_names.h
   std::vector<CentrePoint> points;
   /// Of `points`: where a canal leaves the chamber; 0 if there is none, or for a horn. That is where the section across
   /// the line shrinks most within one radius; without a distinct floor (an incisor) where the line leaves the chamber's

@@ -4,7 +4,7 @@
 
 #include "recon/core/union_find.h"
 #include "recon/delaunay/carve.h"
-#include "recon/delaunay/links.h"
+#include "recon/delaunay/slab_links.h"
 
 namespace odontoscope::delaunay {
 namespace {

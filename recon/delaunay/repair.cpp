@@ -3,7 +3,7 @@
 #include <set>
 
 #include "recon/delaunay/carve.h"
-#include "recon/delaunay/links.h"
+#include "recon/delaunay/slab_links.h"
 
 namespace odontoscope::delaunay {
 namespace {

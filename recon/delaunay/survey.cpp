@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "recon/delaunay/overlay.h"
+#include "recon/delaunay/slab_overlay.h"
 
 namespace odontoscope::delaunay {
 namespace {

@@ -17,7 +17,7 @@ struct SlabSurvey {
 };
 
 /// Of one slab. Nothing where one of its slices is empty. Where one is not conforming, all links are `medial`
-/// (overlay.h).
+/// (slab_overlay.h).
 SlabSurvey survey_slab(const ConformedSlice& lower, const ConformedSlice& upper, const SliceVoids& lower_voids,
                        const SliceVoids& upper_voids, Correspondence criterion);
 

@@ -16,7 +16,7 @@
 #include "recon/exchange/limits.h"
 #include "recon/formats/parsing.h"
 #include "recon/input/counts.h"
-#include "recon/input/names.h"
+#include "recon/input/structure_names.h"
 
 namespace odontoscope {
 namespace {

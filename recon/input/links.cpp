@@ -6,8 +6,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "recon/input/names.h"
 #include "recon/input/planar_sweep.h"
+#include "recon/input/structure_names.h"
 #include "recon/input/validate.h"
 
 namespace odontoscope {

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "recon/core/limits.h"
-#include "recon/input/names.h"
 #include "recon/input/strict_json.h"
+#include "recon/input/structure_names.h"
 
 // The words of this format stand apart from those of contour stacks.
 namespace odontoscope::links_file {

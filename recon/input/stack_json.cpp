@@ -10,8 +10,8 @@
 #include "recon/core/atomic_file.h"
 #include "recon/core/limits.h"
 #include "recon/input/counts.h"
-#include "recon/input/names.h"
 #include "recon/input/strict_json.h"
+#include "recon/input/structure_names.h"
 
 namespace odontoscope {
 namespace {

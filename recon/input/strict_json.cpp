@@ -8,7 +8,7 @@
 
 #include "recon/core/limits.h"
 #include "recon/core/lower_case.h"
-#include "recon/input/names.h"
+#include "recon/input/structure_names.h"
 
 namespace odontoscope {
 namespace {

@@ -14,8 +14,8 @@
 
 #include "recon/core/limits.h"
 #include "recon/input/counts.h"
-#include "recon/input/names.h"
 #include "recon/input/planar_sweep.h"
+#include "recon/input/structure_names.h"
 
 namespace odontoscope {
 namespace {

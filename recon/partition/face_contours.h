@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "recon/input/contour_stack.h"
-#include "recon/partition/overlay.h"
+#include "recon/partition/contour_overlay.h"
 
 namespace odontoscope::partition {
 

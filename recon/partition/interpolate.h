@@ -20,7 +20,7 @@
 #include "recon/core/progress.h"
 #include "recon/delaunay/solve_stack.h"
 #include "recon/input/validate.h"
-#include "recon/partition/overlay.h"
+#include "recon/partition/contour_overlay.h"
 
 namespace odontoscope::partition {
 

@@ -13,8 +13,8 @@
 #include "recon/core/portable_math.h"
 #include "recon/core/spatial_order.h"
 #include "recon/delaunay/constrained.h"
+#include "recon/partition/contour_overlay.h"
 #include "recon/partition/limits.h"
-#include "recon/partition/overlay.h"
 
 namespace odontoscope::partition {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "recon/core/progress.h"
 #include "recon/delaunay/planar.h"
-#include "recon/partition/overlay.h"
+#include "recon/partition/contour_overlay.h"
 
 namespace odontoscope::partition {
 

@@ -1,6 +1,6 @@
 #pragma once
 // Straight pieces made planar: cut where they cross or touch, so that they meet in their ends only. Inner part of
-// overlay.h.
+// contour_overlay.h.
 
 #include <cstdint>
 #include <vector>

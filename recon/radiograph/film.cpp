@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "recon/core/portable_math.h"
-#include "recon/radiograph/vector.h"
+#include "recon/radiograph/film_vector.h"
 
 namespace odontoscope {
 

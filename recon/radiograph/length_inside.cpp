@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "recon/core/error.h"
-#include "recon/radiograph/vector.h"
+#include "recon/radiograph/film_vector.h"
 
 namespace odontoscope {
 

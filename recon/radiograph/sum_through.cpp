@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "recon/radiograph/vector.h"
+#include "recon/radiograph/film_vector.h"
 
 namespace odontoscope {
 

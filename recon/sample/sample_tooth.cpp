@@ -9,9 +9,9 @@
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
 #include "recon/partition/own_faces.h"
+#include "recon/sample/field_loops.h"
 #include "recon/sample/tooth_field.h"
 #include "recon/sample/tooth_table.h"
-#include "recon/sample/trace.h"
 
 namespace odontoscope {
 namespace {

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "recon/cavity/names.h"
+#include "recon/cavity/canal_names.h"
 #include "recon/core/polygon.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/formats/given_slices.h"

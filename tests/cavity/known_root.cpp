@@ -7,7 +7,7 @@
 
 #include "recon/core/error.h"
 #include "recon/mesh/vector.h"
-#include "recon/sample/trace.h"
+#include "recon/sample/field_loops.h"
 #include "tests/cavity/voids.h"
 
 namespace odontoscope::test {

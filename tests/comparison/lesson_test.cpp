@@ -1,8 +1,7 @@
 // The lesson says what is true, and its reader takes nothing else than a lesson.
-#include "engine/comparison/lesson.h"
-
 #include <gtest/gtest.h>
 
+#include "engine/comparison/artefact_lesson.h"
 #include "engine/comparison/ridges.h"
 #include "recon/core/error.h"
 #include "recon/delaunay/reconstruct.h"

@@ -7,8 +7,8 @@
 #include <set>
 #include <thread>
 
+#include "engine/comparison/artefact_lesson.h"
 #include "engine/comparison/db_worker.h"
-#include "engine/comparison/lesson.h"
 #include "engine/comparison/ridges.h"
 #include "engine/navigate/screen.h"
 #include "recon/delaunay/reconstruct.h"

@@ -11,7 +11,7 @@
 
 #include "engine/figures/draw.h"
 #include "engine/figures/figures.h"
-#include "engine/picture/compare.h"
+#include "engine/picture/image_difference.h"
 #include "engine/picture/png.h"
 #include "tests/render/drawing.h"
 

@@ -1,13 +1,12 @@
 // The page names every picture, and nothing that is not there.
 
-#include "engine/figures/page.h"
-
 #include <gtest/gtest.h>
 
 #include <set>
 #include <string>
 
 #include "engine/figures/draw.h"
+#include "engine/figures/figures_page.h"
 
 namespace odontoscope::figures {
 namespace {

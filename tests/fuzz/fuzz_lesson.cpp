@@ -1,5 +1,5 @@
 // Any bytes as a lesson.
-#include "engine/comparison/lesson.h"
+#include "engine/comparison/artefact_lesson.h"
 #include "tests/fuzz/fuzz_bytes.h"
 
 using namespace odontoscope;

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "engine/app/sniff.h"
-#include "engine/comparison/lesson.h"
+#include "engine/comparison/artefact_lesson.h"
 #include "engine/navigate/notes.h"
 #include "engine/picture/png.h"
 #include "engine/scene/scene_json.h"

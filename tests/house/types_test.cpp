@@ -45,6 +45,18 @@ TEST(Types, AreDefinedOnceInAllRooms) {
     EXPECT_EQ(files.size(), 1u) << name << " is defined in " << files.front() << " and " << files.back();
 }
 
+/// One word, one thing: a header's name says what it is about without its folder. Only limits are each room's own.
+TEST(Headers, HaveNamesOfTheirOwn) {
+  std::map<std::string, std::vector<std::string>> found;
+  for (const char* part : {"recon", "engine"})
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(std::filesystem::path(ODONTOSCOPE_SOURCE) / part))
+      if (entry.path().extension() == ".h" && entry.path().filename() != "limits.h")
+        found[entry.path().filename().string()].push_back(entry.path().string());
+  EXPECT_GT(found.size(), 300u) << "no headers were found";
+  for (const auto& [name, files] : found) EXPECT_EQ(files.size(), 1u) << files.front() << " and " << files.back();
+}
+
 TEST(Types, OfOneNameInTwoHeadersAreFound) {
   Definitions found;
   std::istringstream one("namespace odontoscope {\nstruct Box {\n};\n"),

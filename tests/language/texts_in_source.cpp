@@ -140,7 +140,7 @@ std::set<std::string> texts_of_viewer(const std::filesystem::path& source) {
 }
 
 std::set<std::string> texts_of_db_lesson(const std::filesystem::path& source) {
-  const auto lesson = nlohmann::json::parse(content_of(source / "engine/comparison/lesson.json"));
+  const auto lesson = nlohmann::json::parse(content_of(source / "assets/lessons/artefacts.lesson.json"));
   std::set<std::string> texts{lesson.at("title").get<std::string>()};
   for (const auto& step : lesson.at("steps"))
     for (const char* key : {"title", "words"}) texts.insert(step.at(key).get<std::string>());

@@ -17,7 +17,7 @@ std::set<std::string> texts_of_lessons();
 /// engine/comparison/artefacts.cpp) with words in them, but those of tests/language/no_texts.txt: names of controls and
 /// files, and parts that others are put together from.
 std::set<std::string> texts_of_viewer(const std::filesystem::path& source);
-/// The lesson about DB: engine/comparison/lesson.json.
+/// The lesson about DB: assets/lessons/artefacts.lesson.json.
 std::set<std::string> texts_of_db_lesson(const std::filesystem::path& source);
 
 /// "{:.1f} of {n}" and "{depth} of {whole}" are both "{} of {}".

@@ -1,7 +1,5 @@
 // A tour as keys of a camera: what a player sees between them is what the tour has there.
 
-#include "engine/navigate/camera_path.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "engine/navigate/tour_camera_path.h"
 #include "recon/cavity/centre_lines.h"
 #include "tests/navigate/cavities.h"
 

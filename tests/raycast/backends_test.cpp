@@ -1,6 +1,6 @@
 // Two drivers, one picture.
 
-#include "engine/picture/compare.h"
+#include "engine/picture/image_difference.h"
 #include "tests/radiograph/solids.h"
 #include "tests/raycast/cast_bench.h"
 

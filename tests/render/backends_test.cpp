@@ -1,6 +1,6 @@
 // The same scene, the same pixels, whatever made the context: all of them draw in software here or are skipped.
 
-#include "engine/picture/compare.h"
+#include "engine/picture/image_difference.h"
 #include "tests/render/drawing.h"
 #include "tests/render/shapes.h"
 

@@ -1,8 +1,6 @@
 // Films of a tour by a program called ffmpeg: a small one that says what it was given stands in for it. The real one is
 // tried by hand.
 
-#include "engine/picture/film.h"
-
 #include <signal.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include <stop_token>
 #include <thread>
 
+#include "engine/picture/film_file.h"
 #include "engine/picture/png.h"
 #include "tests/app/program.h"
 #include "tests/render/drawing.h"

@@ -1,6 +1,6 @@
 // A renderer keeps no picture: what it drew before must not show in what it draws next.
 
-#include "engine/picture/compare.h"
+#include "engine/picture/image_difference.h"
 #include "tests/render/drawing.h"
 #include "tests/render/shapes.h"
 

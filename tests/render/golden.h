@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/picture/compare.h"
+#include "engine/picture/image_difference.h"
 #include "engine/scene/scene.h"
 #include "engine/view/offscreen.h"
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "engine/picture/compare.h"
+#include "engine/picture/image_difference.h"
 #include "engine/picture/png.h"
 #include "recon/core/base64.h"
 #include "recon/core/error.h"

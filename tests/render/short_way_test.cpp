@@ -1,6 +1,6 @@
 // What needs no layers is drawn the short way, and must look as if it had gone the long one.
 
-#include "engine/picture/compare.h"
+#include "engine/picture/image_difference.h"
 #include "tests/render/drawing.h"
 #include "tests/render/shapes.h"
 

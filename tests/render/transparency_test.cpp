@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/picture/compare.h"
+#include "engine/picture/image_difference.h"
 #include "tests/render/drawing.h"
 #include "tests/render/shapes.h"
 

@@ -1,7 +1,5 @@
 // The tracer of the sample teeth: fields with a known contour, and the awkward ones.
 
-#include "recon/sample/trace.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +8,7 @@
 
 #include "recon/core/error.h"
 #include "recon/input/validate.h"
+#include "recon/sample/field_loops.h"
 
 namespace odontoscope::test {
 namespace {

@@ -6,7 +6,7 @@
 #include "recon/contours/simplify_contours.h"
 #include "recon/core/limits.h"
 #include "recon/input/validate.h"
-#include "recon/sample/trace.h"
+#include "recon/sample/field_loops.h"
 #include "recon/volume/volume_contours.h"
 
 namespace odontoscope::test {

@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "engine/navigate/screen.h"
-#include "engine/picture/compare.h"
+#include "engine/picture/image_difference.h"
 #include "engine/viewer/compare/compare_panel.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/sample/sample_tooth.h"

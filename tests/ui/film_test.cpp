@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/measure/film_length.h"
-#include "engine/picture/compare.h"
+#include "engine/picture/image_difference.h"
 #include "tests/ui/driver.h"
 
 namespace odontoscope::testing_support {

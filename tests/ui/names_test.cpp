@@ -1,9 +1,8 @@
 // Names beside the tooth: a line to a place on each structure that is seen, and two sentences about it on a click.
 
-#include "engine/viewer/names/names.h"
-
 #include <algorithm>
 
+#include "engine/viewer/names/structure_labels.h"
 #include "tests/ui/driver.h"
 
 namespace odontoscope::testing_support {

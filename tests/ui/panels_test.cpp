@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "engine/navigate/section_handle.h"
-#include "engine/picture/compare.h"
+#include "engine/picture/image_difference.h"
 #include "tests/ui/driver.h"
 
 namespace odontoscope::testing_support {

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "engine/navigate/moves.h"
-#include "engine/picture/compare.h"
+#include "engine/picture/image_difference.h"
 #include "engine/picture/png.h"
 #include "engine/scene/scene_json.h"
 #include "engine/viewer/actions.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <thread>
 
-#include "engine/picture/compare.h"
+#include "engine/picture/image_difference.h"
 #include "tests/ui/driver.h"
 
 namespace odontoscope::testing_support {

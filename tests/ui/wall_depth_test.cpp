@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "engine/picture/compare.h"
+#include "engine/picture/image_difference.h"
 #include "tests/ui/flight_fixture.h"
 
 namespace odontoscope::testing_support {

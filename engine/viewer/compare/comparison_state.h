@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/comparison/artefact_lesson.h"
 #include "engine/comparison/db_pipeline.h"
-#include "engine/comparison/lesson.h"
 #include "engine/scene/scene.h"
 
 namespace odontoscope {

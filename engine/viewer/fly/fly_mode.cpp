@@ -35,7 +35,7 @@ constexpr double reading_seconds = 14;
 
 /// Why one cannot fly inside, and what to do.
 std::string words_without_cavity(const LoadedModel& shown) {
-  if (!shown.flight) return "One cannot fly in this model: nothing is known of its walls.";
+  if (!shown.flight) return "This model has no cavity to fly in: nothing is known of its walls.";
   if (shown.certificate.verdict == Certificate::Verdict::wanting)
     return "There is no cavity in this model to fly in: its surface is not closed (see Report), so it has no inside. "
            "Open a sound model, or fly around this one (A).";

@@ -7,7 +7,7 @@
 
 #include "engine/navigate/canal_pick.h"
 #include "engine/viewer/mode.h"
-#include "engine/viewer/names/names.h"
+#include "engine/viewer/names/structure_labels.h"
 
 namespace odontoscope {
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "engine/measure/film_length.h"
-#include "engine/scene/vector.h"
+#include "engine/scene/glm_vector.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
 

@@ -2,7 +2,7 @@
 // A page's model, kept by JavaScript for as long as it keeps the instance of the module.
 
 #include "engine/app/command.h"
-#include "engine/app/model.h"
+#include "engine/app/made_model.h"
 
 namespace odontoscope::app {
 

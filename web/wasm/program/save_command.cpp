@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "engine/app/model.h"
+#include "engine/app/made_model.h"
 #include "engine/app/options.h"
 #include "engine/app/outputs.h"
 #include "recon/output/model_file.h"

@@ -1,4 +1,4 @@
-#include "engine/picture/film.h"
+#include "engine/picture/film_file.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "recon/delaunay/overlay.h"
+#include "recon/delaunay/slab_overlay.h"
 
 #include <CGAL/box_intersection_d.h>
 

@@ -1,4 +1,4 @@
-#include "engine/picture/compare.h"
+#include "engine/picture/image_difference.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "engine/viewer/names/names.h"
+#include "engine/viewer/names/structure_labels.h"
 
 #include <imgui.h>
 

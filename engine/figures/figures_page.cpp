@@ -1,4 +1,4 @@
-#include "engine/figures/page.h"
+#include "engine/figures/figures_page.h"
 
 #include <fmt/format.h>
 

@@ -64,7 +64,7 @@ ArtefactLesson parse_artefact_lesson(std::string_view bytes, const std::string& 
 /// The one that comes with the program, for the sample molar; in lesson_files.cpp, and so only in this room.
 std::span<const EmbeddedFile> lesson_files();
 inline std::string_view lesson_text() { return lesson_files()[0].bytes; }
-inline ArtefactLesson artefact_lesson() { return parse_artefact_lesson(lesson_text(), "lesson.json"); }
+inline ArtefactLesson artefact_lesson() { return parse_artefact_lesson(lesson_text(), "artefacts.lesson.json"); }
 
 /// "triangles", "cracks" (boundary edges), "misoriented", "nonmanifold" (edges), "pieces" (shells), "lowest_mm",
 /// "ridges_mm", "median_angle_deg" (median over the triangles of their smallest angle; the least of the structures);

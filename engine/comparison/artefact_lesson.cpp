@@ -1,4 +1,4 @@
-#include "engine/comparison/lesson.h"
+#include "engine/comparison/artefact_lesson.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -98,7 +98,7 @@ class Object {
     Place place;
     place.file = file_;
     throw InputError(cause, place, fmt::format("{} {}", path_, wrong),
-                     "See engine/comparison/lesson.h for the form of a lesson.");
+                     "See engine/comparison/artefact_lesson.h for the form of a lesson.");
   }
   const std::string& path() const { return path_; }
 
@@ -169,7 +169,7 @@ ArtefactLessonStep step_in(const Json& json, const std::string& path, const std:
 Json parse(std::string_view bytes, const std::string& file) {
   Place place;
   place.file = file;
-  const char* remedy = "See engine/comparison/lesson.h for the form of a lesson.";
+  const char* remedy = "See engine/comparison/artefact_lesson.h for the form of a lesson.";
   if (bytes.size() > lesson_limits::bytes)
     throw InputError("file-too-large", place, fmt::format("a lesson is at most {} bytes long", lesson_limits::bytes),
                      remedy);

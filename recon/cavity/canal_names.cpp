@@ -1,4 +1,4 @@
-#include "recon/cavity/names.h"
+#include "recon/cavity/canal_names.h"
 
 #include <algorithm>
 #include <limits>

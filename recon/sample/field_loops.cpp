@@ -1,4 +1,4 @@
-#include "recon/sample/trace.h"
+#include "recon/sample/field_loops.h"
 
 #include <algorithm>
 #include <cmath>

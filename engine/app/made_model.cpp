@@ -1,4 +1,4 @@
-#include "engine/app/model.h"
+#include "engine/app/made_model.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

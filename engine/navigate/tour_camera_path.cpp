@@ -1,11 +1,11 @@
-#include "engine/navigate/camera_path.h"
+#include "engine/navigate/tour_camera_path.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
 
-#include "engine/scene/vector.h"
+#include "engine/scene/glm_vector.h"
 
 namespace odontoscope {
 CameraPath camera_path(const Tour& tour, const std::string& name, double far_mm) {

@@ -1,4 +1,4 @@
-#include "recon/partition/overlay.h"
+#include "recon/partition/contour_overlay.h"
 
 #include <algorithm>
 #include <cmath>

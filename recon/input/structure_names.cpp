@@ -1,4 +1,4 @@
-#include "recon/input/names.h"
+#include "recon/input/structure_names.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "recon/delaunay/links.h"
+#include "recon/delaunay/slab_links.h"
 
 #include <algorithm>
 #include <cmath>

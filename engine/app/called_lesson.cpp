@@ -1,4 +1,4 @@
-#include "engine/app/lesson.h"
+#include "engine/app/called_lesson.h"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "engine/app/certificate.h"
+#include "engine/app/certificate_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
