@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "engine/web/gzip.h"
@@ -28,26 +29,35 @@ Json json_of(const WebCertificate& certificate) {
   return {{"verdict", certificate.verdict}, {"headline", certificate.headline}, {"findings", findings}};
 }
 
-/// A flight of a minute has a thousand keys: no more digits than an eye could tell.
-double shortened(double value) {
-  constexpr double finest = 1e-5;  // mm, or of a unit vector
-  return std::round(value / finest) / (1 / finest);
+/// A flight of a minute has a thousand keys: no more digits than an eye could tell, in whole numbers, each as its
+/// difference from where the two before it lead, so that most have a digit or two. way.js adds them up again.
+constexpr double finest = 1e-5;  // mm, or of a unit vector
+
+template <class Value>
+Json in_steps(const std::vector<CameraKey>& keys, Value value) {
+  Json steps = Json::array();
+  std::int64_t before = 0, step = 0;
+  for (const CameraKey& key : keys) {
+    const std::int64_t now = std::llround(value(key) / finest);
+    steps.push_back(now - before - step);
+    step = now - before;
+    before = now;
+  }
+  return steps;
 }
 
 Json json_of(const std::vector<CameraKey>& keys) {
-  Json along = Json::array(), at = Json::array(), view_direction = Json::array(), up = Json::array();
-  const auto triple = [](const auto& v) { return Json::array({shortened(v.x), shortened(v.y), shortened(v.z)}); };
-  for (const CameraKey& key : keys) {
-    along.push_back(shortened(key.along));
-    at.push_back(triple(key.at));
-    view_direction.push_back(triple(key.sight));
-    up.push_back(triple(key.up));
-  }
+  const auto triple = [&](auto vector) {
+    return Json{in_steps(keys, [&](const CameraKey& key) { return vector(key).x; }),
+                in_steps(keys, [&](const CameraKey& key) { return vector(key).y; }),
+                in_steps(keys, [&](const CameraKey& key) { return vector(key).z; })};
+  };
   return {{"seconds", keys.back().seconds},
-          {"along_mm", along},
-          {"at_mm", at},
-          {"view_direction", view_direction},
-          {"up", up}};
+          {"finest", finest},
+          {"along_mm", in_steps(keys, [](const CameraKey& key) { return key.along; })},
+          {"at_mm", triple([](const CameraKey& key) { return key.at; })},
+          {"view_direction", triple([](const CameraKey& key) { return key.sight; })},
+          {"up", triple([](const CameraKey& key) { return key.up; })}};
 }
 
 Json json_of(const WebTour& tour) {

@@ -17,14 +17,25 @@ function placeIn(values, wanted) {
   return {step: low, share: step > 0 ? Math.min(Math.max((wanted - values[low]) / step, 0), 1) : 0};
 }
 
+/// Numbers that page.cpp wrote as whole steps of `finest`, each from where the two before it lead.
+function addedUp(steps, finest) {
+  let value = 0, step = 0;
+  return steps.map(more => finest * (value += step += more));
+}
+
+function vectors(components, finest) {
+  const [x, y, z] = components.map(steps => addedUp(steps, finest));
+  return x.map((first, i) => [first, y[i], z[i]]);
+}
+
 export class Way {
   /// `tour`: as page.cpp writes it. Its keys are even in time; what only leads somewhere, a horn, has points alone.
   constructor({points_mm, keys}) {
-    this.places = keys?.at_mm ?? points_mm;
-    this.directions = keys?.view_direction;
-    this.ups = keys?.up;
+    this.places = keys ? vectors(keys.at_mm, keys.finest) : points_mm;
+    this.directions = keys && vectors(keys.view_direction, keys.finest);
+    this.ups = keys && vectors(keys.up, keys.finest);
     this.seconds = keys?.seconds ?? 0;
-    this.along = keys?.along_mm ?? points_mm.map(() => 0);
+    this.along = keys ? addedUp(keys.along_mm, keys.finest) : points_mm.map(() => 0);
     if (!keys) for (let i = 1; i < points_mm.length; ++i) this.along[i] = this.along[i - 1] + Math.hypot(...minus(points_mm[i], points_mm[i - 1]));
     this.length = this.along.at(-1);
   }
