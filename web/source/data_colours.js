@@ -84,7 +84,7 @@ export class DataColours {
     this.reach[this.shown] = reach;
     shared.data_reach.value = reach;
     ['data_low', 'data_middle', 'data_high'].forEach((name, index) =>
-      shared[name].value.copy(linear(stops[this.shown][index])),
+      shared[name].value.copy(linear(colours[this.shown][index])),
     );
     this.viewer.dress();
   }
