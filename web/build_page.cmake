@@ -43,5 +43,6 @@ if(NOT code EQUAL 0)
   file(REMOVE ${WORK}/page.html)
   message(FATAL_ERROR "web/build.mjs failed:\n${said}")   # a mistake in web/, which must not pass for a missing package
 endif()
+file(MAKE_DIRECTORY ${WORK}/shell)
 file(COPY_FILE ${WORK}/page.html ${WORK}/shell/page.html ONLY_IF_DIFFERENT)
 put(why_not.txt "")
