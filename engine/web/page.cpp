@@ -31,7 +31,7 @@ Json json_of(const WebCertificate& certificate) {
 
 /// A flight of a minute has a thousand keys: no more digits than an eye could tell, in whole numbers, each as its
 /// difference from where the two before it lead, so that most have a digit or two. way.js adds them up again.
-constexpr double finest = 1e-5;  // mm, or of a unit vector
+constexpr double finest = 3e-5;  // mm, or of a unit vector
 
 template <class Value>
 Json in_steps(const std::vector<CameraKey>& keys, Value value) {
