@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <cmath>
+#include <cstddef>
 #include <deque>
 #include <functional>
 #include <span>
@@ -11,6 +12,7 @@
 
 #include "recon/core/embedded_file.h"
 #include "recon/core/error.h"
+#include "recon/core/named.h"
 #include "recon/input/json_source.h"
 #include "recon/input/strict_json.h"
 #include "recon/sample/limits.h"
@@ -27,7 +29,7 @@ namespace {
 constexpr std::string_view format_name = "odontoscope.tooth";
 constexpr double format_version = 1;
 
-constexpr std::array<std::pair<std::string_view, Side>, 4> sides = {
+constexpr NameTable<Side, 4> sides{
     {{"mesial", Side::mesial}, {"distal", Side::distal}, {"buccal", Side::buccal}, {"lingual", Side::lingual}}};
 
 /// What a value that was read does.
@@ -104,8 +106,8 @@ class Schema {
     return {key, node(Shape::text, quoted(key), {.text = [get](const std::string& value) { get() = value; }})};
   }
   /// One of known words.
-  template <class Get, class Words>
-  Field word(std::string_view key, Get get, const Words& words) {
+  template <class Get, class Value, std::size_t count>
+  Field word(std::string_view key, Get get, const NameTable<Value, count>& words) {
     return {key, node(Shape::text, quoted(key), {.text = [this, get, key, &words](const std::string& value) {
                         for (const auto& [known, meant] : words) {
                           if (value != known) continue;
@@ -330,9 +332,6 @@ Field Schema::canals() {
                    "half_buccolingual", [canal]() -> auto& { return canal().half_buccolingual; })});
 }
 
-constexpr std::array<std::pair<std::string_view, ToothKind>, 3> kinds = {
-    {{"molar", ToothKind::molar}, {"premolar", ToothKind::premolar}, {"incisor", ToothKind::incisor}}};
-
 Schema::Schema() {
   node(Shape::object, "a tooth");
   const int format =
@@ -350,7 +349,7 @@ Schema::Schema() {
       {{"format", format},
        {"version", version},
        word(
-           "kind", [this]() -> auto& { return tooth.kind; }, kinds),
+           "kind", [this]() -> auto& { return tooth.kind; }, tooth_kinds),
        text(
            "tooth", [this]() -> auto& { return tooth.tooth; }),
        text(
