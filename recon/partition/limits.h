@@ -9,6 +9,15 @@ namespace odontoscope::partition::limits {
 /// high; where no number lies so near to the slice, by the second share. From both slices together less than the whole,
 /// with room between.
 inline constexpr double raise_share = 0.05, raise_share_narrow = 0.25;
+/// How far a face may rise that ends along its length, over the slab's height: beside one of the other slice that rises
+/// towards it something must be left between.
+inline constexpr double ramp_most = 0.9;
+/// Ending triangles times meetings of three labels beyond which a slab is noise, and all rises as usual.
+inline constexpr std::size_t ramp_pairs = 10'000'000;
+/// A point that rose too far for a tetrahedron to stay positive is lowered until that is flat, and farther by this part
+/// of its share; where several have to be, by a factor; after so many times to the usual share.
+inline constexpr double ramp_spare = 0.1, ramp_lowered = 0.5;
+inline constexpr int ramp_times_lowered = 16;
 /// Rounds in which one vertex may be mended by relabelling single parts of its link before the whole of its
 /// surroundings gets one label.
 inline constexpr std::size_t single_mends = 3;

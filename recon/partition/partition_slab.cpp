@@ -45,7 +45,7 @@ class SlabSolver {
   /// By rule, with points raised where the rule contradicts itself or a slice.
   void label() {
     const SlabLabels rule(complex_->tetrahedra(), lower_, upper_, materials_);
-    for (const std::uint32_t p : rule.ending()) complex_->raise(p);
+    raise_ending(rule);
     complex_->keep_positive();
     std::vector<std::uint32_t> open(complex_->tetrahedra().size());
     for (std::uint32_t t = 0; t < open.size(); ++t) open[t] = t;
@@ -59,6 +59,13 @@ class SlabSolver {
       raise_where_not_exact();
       open = complex_->keep_positive();
     }
+  }
+
+  void raise_ending(const SlabLabels& rule) {
+    for (const RaisedShare& one : rule.ramp()) complex_->set_share(one.point, one.share);
+    for (const EndingTriangle& one : rule.ending())
+      for (const std::uint32_t own : (one.lower ? lower_ : upper_).planar.triangles[one.triangle].v)
+        complex_->raise(complex_->number(own, one.lower));
   }
 
   // ---- exact sections -----------------------------------------------------------------------------------------------

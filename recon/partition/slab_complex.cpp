@@ -1,6 +1,7 @@
 #include "recon/partition/slab_complex.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "recon/delaunay/predicates.h"
 #include "recon/partition/limits.h"
@@ -17,6 +18,14 @@ double raise_step(double lower, double upper) {
   return lower < lower + step && upper - step < upper ? step : limits::raise_share_narrow * (upper - lower);
 }
 
+/// Rounded; positive as `orientation` is.
+double six_volumes(const std::array<Point3, 4>& p) {
+  std::array<Point3, 3> d;
+  for (std::size_t k = 0; k < 3; ++k) d[k] = {p[k + 1].x - p[0].x, p[k + 1].y - p[0].y, p[k + 1].z - p[0].z};
+  return d[2].x * (d[0].y * d[1].z - d[0].z * d[1].y) + d[2].y * (d[0].z * d[1].x - d[0].x * d[1].z) +
+         d[2].z * (d[0].x * d[1].y - d[0].y * d[1].x);
+}
+
 }  // namespace
 
 SlabComplex::SlabComplex(const PartitionSlice& lower, const PartitionSlice& upper,
@@ -30,6 +39,8 @@ SlabComplex::SlabComplex(const PartitionSlice& lower, const PartitionSlice& uppe
       raised_upper_(upper.z - raise_step(lower.z, upper.z)),
       labels_(tets_.size(), void_label),
       raised_(on_slices_, false),
+      shares_(on_slices_, 0),
+      times_lowered_(on_slices_, 0),
       changed_(2 * std::size_t{on_slices_}, true) {
   first_at_.assign(on_slices_ + 1, 0);
   for (const SlabTetrahedron& tet : tets_)
@@ -45,8 +56,49 @@ Point3 SlabComplex::place(std::uint32_t v) const {
   const bool is_raised = v >= on_slices_;
   const std::uint32_t p = is_raised ? v - on_slices_ : v;
   const Point2 at = slice_of(p).planar.points[own(p)];
-  if (is_lower(p)) return {at.x, at.y, is_raised ? raised_lower_ : lower_.z};
-  return {at.x, at.y, is_raised ? raised_upper_ : upper_.z};
+  if (is_raised) return {at.x, at.y, height(p)};
+  return {at.x, at.y, is_lower(p) ? lower_.z : upper_.z};
+}
+
+/// Of its raised copy.
+double SlabComplex::height(std::uint32_t p) const {
+  const double rise = shares_[p] * (upper_.z - lower_.z);
+  return is_lower(p) ? std::max(raised_lower_, lower_.z + rise) : std::min(raised_upper_, upper_.z - rise);
+}
+
+void SlabComplex::set_share(std::uint32_t p, double share) { shares_[p] = share; }
+
+/// To a share that it has not yet; too often, as far as usual.
+void SlabComplex::lower_to(std::uint32_t p, double share) {
+  shares_[p] = share <= limits::raise_share || ++times_lowered_[p] > limits::ramp_times_lowered ? 0 : share;
+  fresh_.push_back(p);
+}
+
+/// The corner that has to be lowered least for the tetrahedron to be positive; all, where one alone will not do.
+/// Precondition: one was raised farther than usual.
+void SlabComplex::lower_corners(const SlabTetrahedron& tet) {
+  const auto volume = [&] {
+    return six_volumes({place(top(tet.v[0])), place(top(tet.v[1])), place(top(tet.v[2])), place(top(tet.v[3]))});
+  };
+  const double now = volume();
+  std::uint32_t best = delaunay::none;
+  double best_share = 0, least = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t v : tet.v) {
+    const double share = shares_[v];
+    if (!rises_far(v)) continue;
+    shares_[v] = 0;
+    const double low = volume();
+    shares_[v] = share;
+    if (!(low > 0) || !(low > now)) continue;
+    const double drop = share * std::min(1.0, limits::ramp_spare - now / (low - now));
+    if (drop >= least) continue;
+    least = drop;
+    best = v;
+    best_share = share - drop;
+  }
+  if (best != delaunay::none) return lower_to(best, best_share);
+  for (const std::uint32_t v : tet.v)
+    if (rises_far(v)) lower_to(v, limits::ramp_lowered * shares_[v]);
 }
 
 void SlabComplex::mark_around(std::uint32_t t) {
@@ -82,11 +134,16 @@ std::vector<std::uint32_t> SlabComplex::keep_positive() {
             std::count_if(tet.v.begin() + from, tet.v.begin() + to, [&](std::uint32_t v) { return raised_[v]; }));
         return count > 0 && count < to - from;
       };
-      const bool low = mixed(0, tet.lower_count), high = mixed(tet.lower_count, 4);
-      if (!low && !high) continue;
+      const bool low = mixed(0, tet.lower_count), high = mixed(tet.lower_count, 4),
+                 ramp = std::any_of(tet.v.begin(), tet.v.end(), [&](std::uint32_t v) { return rises_far(v); });
+      if (!low && !high && !ramp) continue;
       if (delaunay::orientation(place(top(tet.v[0])), place(top(tet.v[1])), place(top(tet.v[2])),
                                 place(top(tet.v[3]))) > 0)
         continue;
+      if (ramp) {
+        lower_corners(tet);
+        continue;
+      }
       for (int k = low ? 0 : tet.lower_count; k < (high ? 4 : tet.lower_count); ++k) raise(tet.v[k]);
     }
   }

@@ -28,6 +28,7 @@ class SlabComplex {
   std::uint32_t on_slices() const { return on_slices_; }
   bool is_lower(std::uint32_t p) const { return p < offset_; }
   const PartitionSlice& slice_of(std::uint32_t p) const { return is_lower(p) ? lower_ : upper_; }
+  std::uint32_t number(std::uint32_t own, bool lower) const { return lower ? own : own + offset_; }
   /// Its number in its own slice.
   std::uint32_t own(std::uint32_t p) const { return is_lower(p) ? p : p - offset_; }
 
@@ -35,11 +36,13 @@ class SlabComplex {
   bool any_raised() const { return any_raised_; }
   Label label(std::uint32_t t) const { return labels_[t]; }
 
+  /// How far p is raised if it is, over the slab's height; less than usual is as usual.
+  void set_share(std::uint32_t p, double share);
   /// Returns false if it was raised already.
   bool raise(std::uint32_t p);
-  /// Where only some corners of a tetrahedron in one slice are raised, and it is not positive any more, the others are
-  /// raised too. To be called after raising. Returns the tetrahedra at all points raised since the last call,
-  /// ascending.
+  /// Where a tetrahedron is not positive any more, corners that were raised farther than usual are lowered, and where
+  /// only some corners in one slice are raised, the others are raised too. To be called after raising. Returns the
+  /// tetrahedra at all points raised since the last call, ascending.
   std::vector<std::uint32_t> keep_positive();
   /// Returns false if it had that label.
   bool relabel(std::uint32_t t, Label label);
@@ -69,11 +72,15 @@ class SlabComplex {
 
   Point3 place(std::uint32_t v) const;
   std::uint32_t top(std::uint32_t p) const { return raised_[p] ? p + on_slices_ : p; }
-  /// Heights of raised points.
+  /// Heights of points that are raised as usual.
   double raised_lower() const { return raised_lower_; }
   double raised_upper() const { return raised_upper_; }
 
  private:
+  double height(std::uint32_t p) const;
+  bool rises_far(std::uint32_t p) const { return raised_[p] && shares_[p] > 0; }
+  void lower_to(std::uint32_t p, double share);
+  void lower_corners(const delaunay::SlabTetrahedron& tet);
   void thicken(const PartitionSlice& slice, std::uint32_t first, bool upwards);
   void collect_stars();
   void mark_around(std::uint32_t t);
@@ -86,6 +93,8 @@ class SlabComplex {
   std::vector<std::uint32_t> first_at_, at_;
   std::vector<Label> labels_;  // of the tetrahedra
   std::vector<bool> raised_;
+  std::vector<double> shares_;               // 0: as usual
+  std::vector<std::uint8_t> times_lowered_;  // of those
   bool any_raised_ = false, stale_ = true;
   std::vector<std::uint32_t> fresh_;  // raised since keep_positive was called
   std::vector<Corners> cells_;

@@ -62,6 +62,12 @@ SlabLabels::SlabLabels(const std::vector<SlabTetrahedron>& tetrahedra, const Par
   }
   std::sort(links_.begin(), links_.end());
   links_.erase(std::unique(links_.begin(), links_.end()), links_.end());
+  beside_.assign(lower.planar.points.size() + upper.planar.points.size(), void_label);
+  ending_ = ending_triangles();
+  ramp_ = margin_ramp(lower, upper, materials, ending_);
+  if (ramp_.empty()) return;
+  for (const RaisedShare& one : ramp_) beside_[one.point] = one.beside;
+  ending_ = ending_triangles();
 }
 
 bool SlabLabels::linked(std::uint32_t lower_triangle, std::uint32_t upper_triangle) const {
@@ -90,19 +96,56 @@ bool SlabLabels::knows_below(std::uint32_t point, std::uint32_t upper_triangle) 
   return false;
 }
 
-std::vector<std::uint32_t> SlabLabels::ending() const {
-  std::vector<std::uint32_t> points;
-  for (const SlabTetrahedron& tet : tets_) {
-    if (tet.lower_count == 3 && !knows_above(tet.v[3] - offset_, tet.triangle)) {
-      points.insert(points.end(), {tet.v[0], tet.v[1], tet.v[2]});
-    } else if (tet.lower_count == 1 && !knows_below(tet.v[0], tet.triangle)) {
-      points.insert(points.end(), {tet.v[1], tet.v[2], tet.v[3]});
-    }
-  }
-  return points;
+/// A face need not end at a point of a margin that runs out beside it: that rises away from its slice.
+bool SlabLabels::gives_way(std::uint32_t margin, Label label) const {
+  return label != void_label && beside_[margin] == label;
 }
 
+std::vector<EndingTriangle> SlabLabels::ending_triangles() const {
+  std::vector<EndingTriangle> triangles;
+  for (const SlabTetrahedron& tet : tets_) {
+    if (tet.lower_count == 3 && !gives_way(tet.v[3], lower_.label(tet.triangle)) &&
+        !knows_above(tet.v[3] - offset_, tet.triangle))
+      triangles.push_back({true, tet.triangle});
+    else if (tet.lower_count == 1 && !gives_way(tet.v[0], upper_.label(tet.triangle)) &&
+             !knows_below(tet.v[0], tet.triangle))
+      triangles.push_back({false, tet.triangle});
+  }
+  return triangles;
+}
+
+bool SlabLabels::knows(std::uint32_t v, Label label) const {
+  const PartitionSlice& slice = v < offset_ ? lower_ : upper_;
+  const std::uint32_t own = v < offset_ ? v : v - offset_;
+  const auto& planar = slice.planar;
+  for (std::uint32_t s = planar.first_spoke[own]; s < planar.first_spoke[own + 1]; ++s)
+    if (slice.label(planar.spokes[s].triangle) == label) return true;
+  return false;
+}
+
+/// Where all corners in one slice are of a margin, what lies beside it if all in the other slice know that; else void.
+Label SlabLabels::beside_margin(std::uint32_t t) const {
+  const SlabTetrahedron& tet = tets_[t];
+  for (const bool lower : {true, false}) {
+    const int first = lower ? 0 : tet.lower_count, end = lower ? tet.lower_count : 4;
+    if (end - first < 2) continue;
+    const Label label = beside_[tet.v[first]];
+    bool all = label != void_label;
+    for (int k = 0; k < 4; ++k)
+      all = all && (first <= k && k < end ? beside_[tet.v[k]] == label : knows(tet.v[k], label));
+    if (all) return label;
+  }
+  return void_label;
+}
+
+/// Beside a margin lies what the margin runs out beside, and no void between the two: its triangles are so narrow that
+/// their dual points often lie beyond the border.
 Label SlabLabels::label(std::uint32_t t, const std::vector<bool>& raised, std::vector<std::uint32_t>& losers) const {
+  const Label label = by_rule(t, raised, losers);
+  return label == void_label && !ramp_.empty() ? beside_margin(t) : label;
+}
+
+Label SlabLabels::by_rule(std::uint32_t t, const std::vector<bool>& raised, std::vector<std::uint32_t>& losers) const {
   return tets_[t].lower_count == 2 ? of_edges(t, raised, losers) : of_triangle(t, raised);
 }
 

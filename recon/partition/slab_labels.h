@@ -7,6 +7,7 @@
 
 #include "recon/delaunay/slab.h"
 #include "recon/partition/dual_labels.h"
+#include "recon/partition/margin_ramp.h"
 #include "recon/partition/planar_partition.h"
 
 namespace odontoscope::partition {
@@ -16,14 +17,21 @@ class SlabLabels {
   SlabLabels(const std::vector<delaunay::SlabTetrahedron>& tetrahedra, const PartitionSlice& lower,
              const PartitionSlice& upper, const Materials& materials);
 
-  /// Points to raise before anything is labelled: the corners of triangles whose face the point above or below them
-  /// knows nothing of. Such a face ends here.
-  std::vector<std::uint32_t> ending() const;
+  /// Triangles whose face the point above or below them knows nothing of. Such a face ends here: their corners are to
+  /// be raised before anything is labelled.
+  const std::vector<EndingTriangle>& ending() const { return ending_; }
+  /// How far some of their corners rise.
+  const std::vector<RaisedShare>& ramp() const { return ramp_; }
 
   /// The label of tetrahedron t. Where two edges contradict each other, the loser's ends are added to `losers`.
   Label label(std::uint32_t t, const std::vector<bool>& raised, std::vector<std::uint32_t>& losers) const;
 
  private:
+  std::vector<EndingTriangle> ending_triangles() const;
+  bool gives_way(std::uint32_t margin, Label label) const;
+  Label beside_margin(std::uint32_t t) const;
+  bool knows(std::uint32_t v, Label label) const;
+  Label by_rule(std::uint32_t t, const std::vector<bool>& raised, std::vector<std::uint32_t>& losers) const;
   Label of_triangle(std::uint32_t t, const std::vector<bool>& raised) const;
   Label of_edges(std::uint32_t t, const std::vector<bool>& raised, std::vector<std::uint32_t>& losers) const;
   bool linked(std::uint32_t lower_triangle, std::uint32_t upper_triangle) const;
@@ -38,6 +46,9 @@ class SlabLabels {
   std::vector<DualTriangles> duals_;
   std::vector<std::uint32_t> lower_faces_, upper_faces_;        // of each triangle
   std::vector<std::pair<std::uint32_t, std::uint32_t>> links_;  // faces of one label that continue each other, sorted
+  std::vector<EndingTriangle> ending_;
+  std::vector<RaisedShare> ramp_;
+  std::vector<Label> beside_;  // of each point of a ramp
 };
 
 }  // namespace odontoscope::partition

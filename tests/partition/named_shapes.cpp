@@ -1,5 +1,6 @@
 #include "tests/partition/named_shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -80,6 +81,29 @@ ContourStack canal_through_the_apex() {
     Slice slice{0.5 * k, {}};
     slice.contours.push_back({"dentine", circle({0, 0}, 0.6 + 0.2 * k, 36)});
     slice.contours.push_back({"pulp", circle({0.05 * k, 0}, 0.2 + 0.03 * k, 24)});
+    stack.slices.push_back(slice);
+  }
+  return stack;
+}
+
+double slanting_margin_height(double angle) { return 1.5 + std::cos(angle); }
+
+ContourStack slanting_margin() {
+  constexpr int points = 90;
+  constexpr double radius = 2, slope = 0.3, thickest = 0.3;
+  ContourStack stack;
+  for (int k = 0; k < 12; ++k) {
+    const double z = 0.25 * k;
+    Ring dentine;
+    bool covered = false;
+    for (int i = 0; i < points; ++i) {
+      const double angle = 2 * std::numbers::pi * i / points;
+      const double wall = std::clamp(slope * (z - slanting_margin_height(angle)), 0.0, thickest);
+      covered = covered || wall > 0;
+      dentine.push_back({(radius - wall) * std::cos(angle), (radius - wall) * std::sin(angle)});
+    }
+    Slice slice{z, {{"dentine", dentine}}};
+    if (covered) slice.contours.push_back({"enamel", circle({0, 0}, radius, points)});
     stack.slices.push_back(slice);
   }
   return stack;

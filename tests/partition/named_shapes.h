@@ -16,4 +16,10 @@ ContourStack checkerboard_corner();
 /// A canal of pulp down through the apex of its root.
 ContourStack canal_through_the_apex();
 
+/// Enamel on one side of a pillar of dentine, thinner and thinner downwards, whose margin rises and falls by 1 mm round
+/// it, as on a tilted tooth.
+ContourStack slanting_margin();
+/// The height of its margin at an angle round z.
+double slanting_margin_height(double angle);
+
 }  // namespace odontoscope::test

@@ -5,6 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
 
 #include "recon/delaunay/verdict.h"
 #include "recon/partition/reconstruct_partition.h"
@@ -88,6 +92,41 @@ TEST(Partition, ACanalLeavesThroughTheApex) {
   EXPECT_EQ(shape_of(solid(made, "dentine")), std::pair(std::size_t{1}, 1L));
   EXPECT_EQ(shape_of(solid(made, "pulp")), std::pair(std::size_t{1}, 0L));
   EXPECT_EQ(verdict_of(made), Verdict::green);
+}
+
+/// How far places on the margin are off its height, from one height to another.
+std::vector<double> margin_errors(const Reconstruction& made, double low, double high) {
+  const LabelledComplex& complex = *made.complex;
+  std::map<std::array<std::uint32_t, 2>, std::set<std::pair<Label, Label>>> faces_at;
+  for (const InterfaceTriangle& face : complex.interfaces)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = face.triangle[k], b = face.triangle[(k + 1) % 3];
+      faces_at[{std::min(a, b), std::max(a, b)}].insert({face.inner, face.outer});
+    }
+  std::vector<double> errors;
+  for (const auto& [edge, faces] : faces_at) {
+    const Point3 &a = complex.mesh.points[edge[0]], &b = complex.mesh.points[edge[1]];
+    if (faces.size() < 3 || std::min(a.z, b.z) < low || std::max(a.z, b.z) > high) continue;
+    constexpr int steps = 8;
+    for (int i = 0; i < steps; ++i) {
+      const double share = (i + 0.5) / steps, angle = std::atan2(a.y + share * (b.y - a.y), a.x + share * (b.x - a.x));
+      errors.push_back(a.z + share * (b.z - a.z) - slanting_margin_height(angle));
+    }
+  }
+  return errors;
+}
+
+TEST(Partition, AMarginSlopesBetweenSlices) {
+  const ContourStack stack = slanting_margin();
+  const Reconstruction made = judged(stack, {"dentine", "enamel"});
+  EXPECT_EQ(verdict_of(made), Verdict::green);
+  const std::vector<double> errors = margin_errors(made, 0.75, 2.25);
+  ASSERT_GT(errors.size(), 100u);
+  double squares = 0;
+  for (const double error : errors) squares += error * error;
+  const double off = std::sqrt(squares / static_cast<double>(errors.size()));
+  RecordProperty("root_mean_square_mm", std::to_string(off));
+  EXPECT_LT(off, 0.045) << "in steps a slice high it would be 0.1 mm and more";
 }
 
 TEST(Partition, AStructureThatOthersCoverHasNoSolid) {
