@@ -4,6 +4,7 @@
 
 #include "recon/core/union_find.h"
 #include "recon/delaunay/face_table.h"
+#include "recon/delaunay/limits.h"
 #include "recon/delaunay/topology.h"
 
 namespace odontoscope::delaunay {
@@ -19,6 +20,12 @@ ConformedSlice conformed(const Interpolated& between, const Place& place, const 
   return conform(slice, unnamed, place.slice.value_or(0), place.file, progress);
 }
 
+/// Walls that thin are what is left of two outlines that the blend could not part, and all work would go to them.
+bool too_thin(const ConformedSlice& slice) {
+  const std::size_t traced = slice.planar.points.size() - slice.steiner_points;
+  return slice.steiner_points > limits::interpolated_added * traced + limits::interpolated_added_free;
+}
+
 class ThroughSlices {
  public:
   ThroughSlices(const SlabTask& task, const std::vector<Component>& components)
@@ -28,7 +35,9 @@ class ThroughSlices {
     made_.reserve(between.size());
     slices_.push_back(&task_.lower);
     for (const Interpolated& one : between) {
+      if (is_noise(one)) return std::nullopt;
       made_.push_back(conformed(one, task_.place, progress));
+      if (too_thin(made_.back())) return std::nullopt;
       slices_.push_back(&made_.back());
     }
     slices_.push_back(&task_.upper);
@@ -40,6 +49,12 @@ class ThroughSlices {
   }
 
  private:
+  /// Where both slices' borders coincide but for rounding the blend traces specks, thousands of them.
+  bool is_noise(const Interpolated& one) const {
+    const std::size_t given = task_.lower.contour_number.size() + task_.upper.contour_number.size();
+    return one.outline.size() > limits::interpolated_contours * given + limits::interpolated_contours_free;
+  }
+
   /// Whatever overlaps is linked: the interpolated slices lie close.
   SlabTask thin_slab(const ConformedSlice& lower, const ConformedSlice& upper) const {
     SlabTask thin{lower, upper, {}, {}, task_.walls, task_.place};

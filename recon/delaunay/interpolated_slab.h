@@ -17,8 +17,9 @@ struct Interpolated {
 };
 
 /// All pieces as one, whose added points are those of the interpolated slices and what lifting added. Empty if regions
-/// of the two slices come out joined otherwise than `components` says, if an interpolated slice cannot be conformed, or
-/// if two are too close. A region that is linked to nothing may carry a piece that ends between the slices.
+/// of the two slices come out joined otherwise than `components` says, if an interpolated slice has many times their
+/// contours, if it cannot be conformed or only by far more points than it has, or if two are too close. A region that
+/// is linked to nothing may carry a piece that ends between the slices.
 std::optional<SolvedSlab> solve_through(const SlabTask& task, const std::vector<Component>& components,
                                         const std::vector<Interpolated>& between, const Progress& progress);
 

@@ -1,8 +1,15 @@
 #pragma once
-// Bounds of the last resort (block.h); those of the DT engine itself are in recon/core/limits.h.
+// Bounds of interpolated slices and of the last resort (block.h); those of the DT engine itself are in
+// recon/core/limits.h.
+
+#include <cstddef>
 
 namespace odontoscope::limits {
 
+/// Points that conforming may add to an interpolated slice, as a multiple of those traced plus a free allowance.
+inline constexpr std::size_t interpolated_added = 4, interpolated_added_free = 1000;
+/// Contours of an interpolated slice, as a multiple of those of both given ones plus a free allowance.
+inline constexpr std::size_t interpolated_contours = 8, interpolated_contours_free = 32;
 /// Height of the upright prisms beside a block, over the slab's height: the block takes an eighth.
 inline constexpr double block_height = 7.0 / 16;
 /// The least step from the block's middle towards a corner at which a place for its inner point is looked for.
