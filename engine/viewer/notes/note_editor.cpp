@@ -53,6 +53,42 @@ void pins(NotesState& notes) {
   if (draft.marks.size() < most_marks && widgets::wide_button("Place a pin")) notes.placing = NotesState::Placing::pin;
 }
 
+void arrows(NotesState& notes) {
+  LessonNote& draft = *notes.draft;
+  for (std::size_t i = 0; i < draft.arrows.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i) + 1000);
+    line_field("##arrow", draft.arrows[i].label, most_title_bytes, ImGui::GetContentRegionAvail().x - scaled(150),
+               "no label: a bare arrow");
+    ImGui::SameLine();
+    if (widgets::button("Redraw")) {
+      notes.redrawn = i;
+      notes.placing = NotesState::Placing::arrow_tail;
+    }
+    ImGui::SameLine();
+    const bool gone = widgets::button("Remove");
+    ImGui::PopID();
+    if (gone) {
+      draft.arrows.erase(draft.arrows.begin() + static_cast<std::ptrdiff_t>(i));
+      break;
+    }
+  }
+  if (draft.arrows.size() < most_arrows && widgets::wide_button("Draw an arrow"))
+    notes.placing = NotesState::Placing::arrow_tail;
+}
+
+const char* placing_in_words(NotesState::Placing placing) {
+  switch (placing) {
+    case NotesState::Placing::pin:
+      return "Click where the pin goes.";
+    case NotesState::Placing::arrow_tail:
+      return "Click where the arrow begins: beside the place that it points at.";
+    case NotesState::Placing::arrow_head:
+      return "Click what the arrow points at.";
+    default:
+      return "Click what is right.";
+  }
+}
+
 void click_fields(NotesState& notes, LessonQuestion& question) {
   const std::string said = question.structure.empty() ? "nothing yet"
                            : question.part.empty()    ? question.structure
@@ -113,10 +149,10 @@ void ride_toggle(LessonNote& draft, const std::string& canal) {
 
 void placing_part(NotesState& notes, const Interface& interface) {
   ImGui::PushFont(interface.bold);
-  widgets::wrapped(notes.placing == NotesState::Placing::pin ? "Click where the pin goes." : "Click what is right.");
+  widgets::wrapped(placing_in_words(notes.placing));
   ImGui::PopFont();
   widgets::remark(interface, "The tooth can be turned meanwhile. Enter takes the place at the cross.");
-  if (widgets::button("Cancel (Esc)")) notes.placing = NotesState::Placing::none;
+  if (widgets::button("Cancel (Esc)")) stop_placing(notes);
 }
 
 }  // namespace
@@ -142,6 +178,11 @@ void note_editor(NotesState& notes, const std::string& canal, const Interface& i
   ImGui::InputTextMultiline("##text", &draft.text, {-1, scaled(90)});
   widgets::noted("##text");
   if (draft.text.size() > most_text_bytes) draft.text.resize(most_text_bytes);
+  widgets::text("Narration, to be read or spoken (may be left out)");
+  widgets::text_field("##narration");
+  ImGui::InputTextMultiline("##narration", &draft.narration, {-1, scaled(52)});
+  widgets::noted("##narration");
+  if (draft.narration.size() > most_text_bytes) draft.narration.resize(most_text_bytes);
   ride_toggle(*notes.draft, canal);
   if (notes.draft_of && widgets::wide_button("Take the view as it is now")) notes.retake = true;
   const std::string fault = fault_of_draft(draft);
@@ -155,6 +196,8 @@ void note_editor(NotesState& notes, const std::string& canal, const Interface& i
   ImGui::NextColumn();
   widgets::text("Pins");
   pins(notes);
+  widgets::text("Arrows");
+  arrows(notes);
   widgets::text("Question");
   question_fields(notes);
   ImGui::Columns(1);
