@@ -20,7 +20,7 @@ export function lessonOf() {
 /// A lesson that comes with the program, in the reader's language. What its answers are compared with stays.
 function translated(file) {
   const words = text => text ? t(text) : text, questionOf = question => question && {...question, ask: words(question.ask), explain: words(question.explain), unit: words(question.unit), ...(question.choices && {choices: question.choices.map(words)})};
-  const notes = file.notes.map(note => ({...note, title: words(note.title), text: words(note.text), marks: note.marks?.map(mark => ({...mark, label: words(mark.label)})), question: questionOf(note.question)}));
+  const notes = file.notes.map(note => ({...note, title: words(note.title), text: words(note.text), narration: words(note.narration), marks: note.marks?.map(mark => ({...mark, label: words(mark.label)})), arrows: note.arrows?.map(arrow => ({...arrow, label: words(arrow.label)})), question: questionOf(note.question)}));
   return {...file, title: words(file.title), language: language.language, notes};
 }
 
