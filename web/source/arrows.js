@@ -46,16 +46,17 @@ export class Arrows {
       for (const piece of [shape, words]) piece.style.display = at ? '' : 'none';
       if (!at) continue;
       shape.setAttribute('d', `M${outlineOf(at).map(([x, y]) => `${x.toFixed(1)},${y.toFixed(1)}`).join('L')}Z`);
-      if (label) boxes.push(this.putLabel(words, at, width, height));
+      if (label) boxes.push(this.putLabel(words, at, boxes, width, height));
     }
     return boxes;
   }
 
-  /// Beyond the tail as seen from the head.
-  putLabel(words, {x1, y1, x2, y2}, width, height) {
+  /// Beyond the tail as seen from the head; below labels that are there already.
+  putLabel(words, {x1, y1, x2, y2}, boxes, width, height) {
     const length = Math.max(Math.hypot(x1 - x2, y1 - y2), 1e-3), room = words.offsetWidth, high = words.offsetHeight;
     const left = Math.min(Math.max(x1 + (x1 - x2) / length * (room / 2 + 2) - room / 2, 4), Math.max(width - room - 4, 4));
-    const top = Math.min(Math.max(y1 + (y1 - y2) / length * (high / 2 + 2), high / 2 + 4), height - high / 2 - 4);
+    let top = Math.min(Math.max(y1 + (y1 - y2) / length * (high / 2 + 2), high / 2 + 4), height - high / 2 - 4);
+    for (const box of [...boxes].sort((a, b) => a.top - b.top)) if (box.left < left + room + 4 && box.right > left - 4 && Math.abs(box.top - top) < high + 2) top = box.top + high + 4;
     words.style.left = `${left}px`;
     words.style.top = `${top}px`;
     return {left, right: left + room, top};

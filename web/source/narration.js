@@ -81,6 +81,8 @@ export class Narration {
   }
 
   show(words) {
+    const bar = document.getElementById('bar');
+    this.caption.style.bottom = bar.hidden ? '' : `${bar.offsetHeight + 24}px`;   // above what else is said down there
     this.caption.textContent = words;
     this.caption.hidden = words === '';
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <optional>
+#include <vector>
 
 #include "engine/navigate/screen.h"
 #include "engine/ui/drawing.h"
@@ -47,9 +48,13 @@ std::optional<glm::dvec2> tail_in_picture(const Camera& camera, const LessonArro
   return place_of(camera, glm::mix(arrow.to, arrow.from, 0.98 * seen));
 }
 
-/// Beyond the tail as seen from the head, within the pane.
+struct LabelBox {
+  ImVec2 corner, size;
+};
+
+/// Beyond the tail as seen from the head, within the pane, below labels that are there already.
 void draw_label(ImDrawList& list, const ImFont* font, const std::string& label, const ImVec2& tail, const ImVec2& head,
-                const ViewPane& pane, double strength, float scale) {
+                const ViewPane& pane, double strength, float scale, std::vector<LabelBox>& labels) {
   const ImVec2 text = font->CalcTextSizeA(font->FontSize, 1e9f, 0, label.c_str()),
                size(text.x + 16 * scale, text.y + 10 * scale);
   const float length = std::max(std::hypot(tail.x - head.x, tail.y - head.y), 1e-3f),
@@ -59,9 +64,17 @@ void draw_label(ImDrawList& list, const ImFont* font, const std::string& label, 
   };
   const float gap = 2 * scale, margin = 6 * scale;
   const ImVec2 middle(tail.x + right * (0.5f * size.x + gap), tail.y + down * (0.5f * size.y + gap));
-  const ImVec2 corner(
+  ImVec2 corner(
       within(middle.x - 0.5f * size.x, pane.area.left + margin, pane.area.left + pane.area.width - size.x - margin),
       within(middle.y - 0.5f * size.y, pane.area.top + margin, pane.area.top + pane.area.height - size.y - margin));
+  for (const LabelBox& other : labels) {
+    const bool beside = corner.x > other.corner.x + other.size.x || other.corner.x > corner.x + size.x;
+    const bool apart = corner.y > other.corner.y + other.size.y || other.corner.y > corner.y + size.y;
+    if (!beside && !apart) corner.y = other.corner.y + other.size.y + 4 * scale;
+  }
+  const auto below =
+      std::find_if(labels.begin(), labels.end(), [&](const LabelBox& other) { return other.corner.y > corner.y; });
+  labels.insert(below, {corner, size});
   list.AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, theme::rgb(0x14181c, 225), 6 * scale);
   list.AddText(font, font->FontSize, {corner.x + 8 * scale, corner.y + 5 * scale}, faded(theme::mark, strength),
                label.c_str());
@@ -73,6 +86,7 @@ void draw_arrows(const std::vector<LessonArrow>& arrows, const ViewerState& stat
                  const ViewPane& pane, const Interface& interface, float scale) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const ClipTo clip(list, pane.area);
+  std::vector<LabelBox> labels;  // from above to below
   for (const LessonArrow& arrow : arrows) {
     const auto to = place_of(pane.camera, arrow.to);
     const PlaceSeen seen = to ? seen_place(state, from, pane, arrow.to) : PlaceSeen::hidden;
@@ -82,7 +96,8 @@ void draw_arrows(const std::vector<LessonArrow>& arrows, const ViewerState& stat
     const ImVec2 head = vec(pixel_of(pane.area, *to)), tail = vec(pixel_of(pane.area, *begins));
     const bool behind = seen == PlaceSeen::behind;
     draw_shape(list, tail, head, behind ? 0.45 : 1, scale);
-    if (!arrow.label.empty()) draw_label(list, interface.bold, arrow.label, tail, head, pane, behind ? 0.75 : 1, scale);
+    if (!arrow.label.empty())
+      draw_label(list, interface.bold, arrow.label, tail, head, pane, behind ? 0.75 : 1, scale, labels);
   }
 }
 

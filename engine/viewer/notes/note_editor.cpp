@@ -50,7 +50,6 @@ void pins(NotesState& notes) {
       break;
     }
   }
-  if (draft.marks.size() < most_marks && widgets::wide_button("Place a pin")) notes.placing = NotesState::Placing::pin;
 }
 
 void arrows(NotesState& notes) {
@@ -72,8 +71,17 @@ void arrows(NotesState& notes) {
       break;
     }
   }
-  if (draft.arrows.size() < most_arrows && widgets::wide_button("Draw an arrow"))
-    notes.placing = NotesState::Placing::arrow_tail;
+}
+
+void place_buttons(NotesState& notes) {
+  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  ImGui::BeginDisabled(notes.draft->marks.size() >= most_marks);
+  if (widgets::button("Place a pin", {width, 0})) notes.placing = NotesState::Placing::pin;
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  ImGui::BeginDisabled(notes.draft->arrows.size() >= most_arrows);
+  if (widgets::button("Draw an arrow", {width, 0})) notes.placing = NotesState::Placing::arrow_tail;
+  ImGui::EndDisabled();
 }
 
 const char* placing_in_words(NotesState::Placing placing) {
@@ -175,7 +183,7 @@ void note_editor(NotesState& notes, const std::string& canal, const Interface& i
   const bool entered = line_field("##title", draft.title, most_title_bytes);
   widgets::text("What is there to see?");
   widgets::text_field("##text");
-  ImGui::InputTextMultiline("##text", &draft.text, {-1, scaled(90)});
+  ImGui::InputTextMultiline("##text", &draft.text, {-1, scaled(74)});
   widgets::noted("##text");
   if (draft.text.size() > most_text_bytes) draft.text.resize(most_text_bytes);
   widgets::text("Narration, to be read or spoken (may be left out)");
@@ -194,10 +202,10 @@ void note_editor(NotesState& notes, const std::string& canal, const Interface& i
   ImGui::SameLine();
   const bool cancel = widgets::button("Cancel (Esc)", {width, 0});
   ImGui::NextColumn();
-  widgets::text("Pins");
+  widgets::text("Pins and arrows");
   pins(notes);
-  widgets::text("Arrows");
   arrows(notes);
+  place_buttons(notes);
   widgets::text("Question");
   question_fields(notes);
   ImGui::Columns(1);

@@ -33,11 +33,11 @@ void undo_buttons(NotesState& notes, const LessonHistory& history) {
   if (!history.can_undo() && !history.can_redo()) return;
   const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
   ImGui::BeginDisabled(!history.can_undo());
-  if (widgets::button("Undo (Ctrl Z)", {width, 0})) notes.undo = true;
+  if (widgets::button("Undo", {width, 0})) notes.undo = true;
   ImGui::EndDisabled();
   ImGui::SameLine();
   ImGui::BeginDisabled(!history.can_redo());
-  if (widgets::button("Redo (Ctrl Shift Z)", {width, 0})) notes.redo = true;
+  if (widgets::button("Redo", {width, 0})) notes.redo = true;
   ImGui::EndDisabled();
 }
 
