@@ -25,7 +25,9 @@
 //   {"kind":"choice","ask":...,"choices":["enamel","dentine"],"answer":1}  2 to 8 choices, counted from 0
 //   {"kind":"number","ask":...,"answer":3,"within":0.5,"unit":"mm"}        "within" and "unit" may be left out: 0 and
 //   none
-// "language" is a tag such as "en" or "de-AT"; "feedback" is "at-once" or "at-end".
+// "language" is a tag such as "en" or "de-AT"; "feedback" is "at-once" or "at-end". "translations", from version 4 on,
+// hold the lesson's words in other languages, which the page shows to their readers:
+//   "translations":[{"language":"de","texts":[["Three canals","Drei Kanäle"]]}]
 // "model" names the file that the notes are about, as seen from the notes' folder; without it they are for whatever is
 // open, or the sample molar. A camera may also have "field_of_view_deg", "height_mm", "near_mm" and "parallel": true.
 // Lengths in mm. Keys that begin with "x-" are others' notes and ignored; every other unknown key is refused.
@@ -33,6 +35,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/scene/scene.h"
@@ -83,12 +86,20 @@ struct LessonNote {
 /// A note of all that `scene` is but its camera's near plane, which inside a cavity follows from the flight.
 LessonNote note_of(const Scene& scene, bool inside);
 
+/// A lesson's words in another language, beside those that it has.
+struct LessonTranslation {
+  std::string language;
+  std::vector<std::pair<std::string, std::string>> texts = {};
+  friend bool operator==(const LessonTranslation&, const LessonTranslation&) = default;
+};
+
 struct Lesson {
   std::string title, model;
   std::vector<LessonNote> notes;  // at least one in a file
   std::string language = {};      // empty: not said
-  bool feedback_at_end = false;   // of a quiz; otherwise after each answer
-  bool is_quiz() const;           // has a question
+  std::vector<LessonTranslation> translations = {};
+  bool feedback_at_end = false;  // of a quiz; otherwise after each answer
+  bool is_quiz() const;          // has a question
   friend bool operator==(const Lesson&, const Lesson&) = default;
 };
 
@@ -97,13 +108,12 @@ inline constexpr std::size_t most_lesson_bytes = 4u << 20, most_notes = 1000, mo
                              most_text_bytes = 10'000;
 inline constexpr std::size_t most_marks = 50, least_choices = 2, most_choices = 8, most_unit_bytes = 20,
                              most_language_bytes = 35;
-inline constexpr std::size_t most_arrows = 50;
+inline constexpr std::size_t most_arrows = 50, most_translations = 20, most_translated_texts = 5000;
 inline constexpr double largest_answer = 1e9, least_arrow_mm = 1e-3;
 
 /// Throws InputError: what strict_json.h lists, and wrong-version, bad-title, bad-text, too-many-notes, no-notes,
-/// too-many-marks, too-many-arrows, bad-arrow, bad-question, bad-value, bad-camera, too-large, and of a scene what
-/// scene_from_json throws.
-/// docs/formats.md says when.
+/// too-many-marks, too-many-arrows, bad-arrow, repeated-text, too-many-texts, bad-question, bad-value, bad-camera,
+/// too-large, and of a scene what scene_from_json throws. docs/formats.md says when.
 Lesson parse_lesson(std::string_view bytes, const std::string& name);
 /// Likewise, and FileError.
 Lesson read_lesson(const std::string& file);

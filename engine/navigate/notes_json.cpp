@@ -67,13 +67,20 @@ enum Node {
   arrow_from,
   arrow_to,
   arrow_label,
-  narration
+  narration,
+  translations,
+  translation,
+  tongue,
+  translated_texts,
+  translated_pair,
+  translated_text
 };
 
 using Shape = JsonNode::Shape;
-constexpr JsonNode::Key document_keys[] = {
-    {"format", format, true}, {"version", version, true},    {"title", title, true},       {"model", model, false},
-    {"notes", notes, true},   {"language", language, false}, {"feedback", feedback, false}};
+constexpr JsonNode::Key document_keys[] = {{"format", format, true},      {"version", version, true},
+                                           {"title", title, true},        {"model", model, false},
+                                           {"notes", notes, true},        {"language", language, false},
+                                           {"feedback", feedback, false}, {"translations", translations, false}};
 constexpr JsonNode::Key note_keys[] = {{"title", note_title, true},    {"text", note_text, true},
                                        {"inside", note_inside, false}, {"camera", camera, true},
                                        {"scene", note_scene, false},   {"marks", marks, false},
@@ -84,6 +91,7 @@ constexpr JsonNode::Key camera_keys[] = {
     {"field_of_view_deg", angle, false}, {"height_mm", height, false}, {"near_mm", near, false},
     {"parallel", parallel, false}};
 constexpr JsonNode::Key mark_keys[] = {{"at", mark_at, true}, {"label", mark_label, false}};
+constexpr JsonNode::Key translation_keys[] = {{"language", tongue, true}, {"texts", translated_texts, true}};
 constexpr JsonNode::Key arrow_keys[] = {
     {"from", arrow_from, true}, {"to", arrow_to, true}, {"label", arrow_label, false}};
 constexpr JsonNode::Key question_keys[] = {
@@ -135,6 +143,12 @@ constexpr JsonNode nodes[] = {
     {Shape::array, "\"to\"", coordinate},
     {Shape::text, "\"label\""},
     {Shape::text, "\"narration\""},
+    {Shape::array, "\"translations\"", translation},
+    {Shape::object, "a translation", -1, translation_keys},
+    {Shape::text, "\"language\""},
+    {Shape::array, "\"texts\"", translated_pair},
+    {Shape::array, "a pair of texts", translated_text},
+    {Shape::text, "a text"},
 };
 
 /// Keys that a kind of question needs, and those that it may have beside "ask" and "explain".
@@ -179,6 +193,12 @@ class LessonReader final : public StrictJson {
         refuse("too-many-marks", fmt::format("a note with more than {} marks", most_marks), "Make two notes of it.");
       tour_.notes.back().marks.emplace_back();
     }
+    if (node == translation) {
+      if (tour_.translations.size() == most_translations)
+        refuse("too-many-texts", fmt::format("more than {} translations", most_translations), "Leave some out.");
+      tour_.translations.emplace_back();
+    }
+    if (node == translated_pair) open_pair();
     if (node == arrow) {
       if (tour_.notes.back().arrows.size() == most_arrows)
         refuse("too-many-arrows", fmt::format("a note with more than {} arrows", most_arrows), "Make two notes of it.");
@@ -200,6 +220,9 @@ class LessonReader final : public StrictJson {
     if (node == camera) validate(tour_.notes.back().camera, place().file);
     if (node == question) check_question();
     if (node == arrow) check_arrow();
+    if (node == translated_pair && pair_.size() != 2) refuse_pair();
+    if (node == translated_pair) tour_.translations.back().texts.emplace_back(pair_[0], pair_[1]);
+    if (node == translation) check_translation();
   }
   static bool is_place(int node) {
     return node == position || node == target || node == up || node == mark_at || node == arrow_from ||
@@ -281,11 +304,14 @@ class LessonReader final : public StrictJson {
         tour_.notes.back().narration = checked_text(value);
         return;
       case language:
-        if (value.empty() || value.size() > most_language_bytes || !std::all_of(value.begin(), value.end(), [](char c) {
-              return c == '-' || std::isalnum(static_cast<unsigned char>(c));
-            }))
-          refuse("bad-value", "\"language\" is no tag of letters, digits and hyphens", "Write a tag such as \"en\".");
-        tour_.language = value;
+        tour_.language = checked_tag(value);
+        return;
+      case tongue:
+        tour_.translations.back().language = checked_tag(value);
+        return;
+      case translated_text:
+        if (pair_.size() == 2) refuse_pair();
+        pair_.push_back(checked_text(value));
         return;
       case feedback:
         if (value != "at-once" && value != "at-end")
@@ -348,6 +374,28 @@ class LessonReader final : public StrictJson {
     if (const std::string fault = fault_of(asked); !fault.empty())
       refuse("bad-question", "a question that cannot be answered", fault);
   }
+  void open_pair() {
+    if (tour_.translations.back().texts.size() == most_translated_texts)
+      refuse("too-many-texts", fmt::format("more than {} texts", most_translated_texts), "Leave some out.");
+    pair_.clear();
+  }
+  [[noreturn]] void refuse_pair() const {
+    refuse("bad-text", "a pair of texts has two: that of the lesson, and its words in this language", "Correct it.");
+  }
+  void check_translation() const {
+    const auto& all = tour_.translations;
+    if (std::any_of(all.begin(), all.end() - 1,
+                    [&](const LessonTranslation& one) { return one.language == all.back().language; }))
+      refuse("repeated-text", fmt::format("two translations are into \"{}\"", all.back().language),
+             "Make one of them.");
+  }
+  std::string checked_tag(const std::string& value) const {
+    if (value.empty() || value.size() > most_language_bytes || !std::all_of(value.begin(), value.end(), [](char c) {
+          return c == '-' || std::isalnum(static_cast<unsigned char>(c));
+        }))
+      refuse("bad-value", "\"language\" is no tag of letters, digits and hyphens", "Write a tag such as \"en\".");
+    return value;
+  }
   void check_arrow() const {
     const LessonArrow& read = tour_.notes.back().arrows.back();
     if (glm::distance(read.from, read.to) < least_arrow_mm)
@@ -371,6 +419,7 @@ class LessonReader final : public StrictJson {
   Lesson tour_;
   const KindRule* kind_ = nullptr;  // of the question that is read,
   std::set<int> seen_;              // and its keys
+  std::vector<std::string> pair_;   // of texts
   int vector_ = position;
   glm::length_t coordinates_ = 0;
 };
@@ -408,6 +457,7 @@ namespace {
 
 int version_of(const Lesson& lesson) {
   const auto any = [&](auto&& has) { return std::any_of(lesson.notes.begin(), lesson.notes.end(), has); };
+  if (!lesson.translations.empty()) return format_version;
   if (any([](const LessonNote& note) { return !note.arrows.empty() || !note.narration.empty(); }))
     return format_version;
   if (!lesson.language.empty() || lesson.feedback_at_end ||
@@ -447,6 +497,10 @@ std::string to_json(const Lesson& lesson) {
   if (!lesson.model.empty()) json["model"] = lesson.model;
   if (!lesson.language.empty()) json["language"] = lesson.language;
   if (lesson.feedback_at_end) json["feedback"] = "at-end";
+  for (const LessonTranslation& one : lesson.translations) {
+    json["translations"].push_back({{"language", one.language}, {"texts", Json::array()}});
+    for (const auto& [text, words] : one.texts) json["translations"].back()["texts"].push_back({text, words});
+  }
   json["notes"] = Json::array();
   for (const LessonNote& note : lesson.notes) {
     const Camera& camera = note.camera;

@@ -23,7 +23,7 @@ const notes = [
   {title: 'Find', text: '', inside: false, camera: outside, scene: clear, question: {kind: 'click', ask: 'Click the distal canal.', structure: 'pulp', part: 'distal canal', explain: ''}},
   {title: 'Measure', text: '', inside: false, camera: outside, scene: clear, question: {kind: 'number', ask: '=How long?', answer: 12.5, within: 0.5, unit: 'mm', explain: ''}},
 ];
-const lessonOf = change => JSON.stringify({format: 'odontoscope.tour', version: 4, title: 'Three canals', model: 'molar.json', language: 'en', notes, ...change});
+const lessonOf = change => JSON.stringify({format: 'odontoscope.tour', version: 4, title: 'Three canals', model: 'molar.json', language: 'en', notes, translations: [{language: 'fr', texts: [['The tooth', 'La dent']]}, {language: 'de-AT', texts: [['The tooth', 'Der Zahn'], ['crown', 'Krone'], ['Dentine is pale. It is 3.4 mm thick here!\nThe pulp is inside.', hostile]]}], ...change});
 odontoscope('sample', 'molar', '--slice-spacing', '0.35', '--point-spacing', '0.5', '-o', 'molar.json');
 writeFileSync(made('canals.tour.json'), lessonOf({}));
 writeFileSync(made('exam.tour.json'), lessonOf({feedback: 'at-end', title: 'Exam', notes: notes.slice(4)}));
@@ -246,6 +246,16 @@ test('axe finds nothing on a step, an answered question, the marks and the hando
     if (step === 5) await page.getByRole('button', {name: 'enamel', exact: true}).click();
     assert.deepEqual(await look(), [], `step ${step}`);
   }
+});
+
+test('a lesson that brings its words in the language of the reader says them, and what has none stays', async () => {
+  const two = await openedIn(chromium, made('embedded.html'), {size, context: {...context, locale: 'de-DE'}});
+  await quiet(two);
+  const told = await two.page.evaluate(() => { viewer.teaching.lesson.go(1); return [document.querySelector('.narration').textContent, viewer.teaching.lesson.language, viewer.teaching.lesson.notes.slice(0, 3).map(({title}) => title), viewer.teaching.lesson.notes[0].marks[0].label, document.querySelector('.steps').textContent]; });
+  assert.deepEqual(told.slice(0, 4), [`Erz\u00e4hltext${hostile}`, 'de-AT', ['Der Zahn', 'Cut open', 'Inside'], 'Krone']);
+  assert.equal(await two.page.evaluate(() => globalThis.bitten), undefined);
+  assert.deepEqual(two.watched, []);
+  await two.close();
 });
 
 test('a page around it is told, and no other', async t => {

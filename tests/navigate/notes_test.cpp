@@ -111,6 +111,7 @@ TEST(Lesson, WithQuestionsAndPinsAreReadAsTheyWereWritten) {
 Lesson tour_with_arrows() {
   Lesson lesson = quiz_tour();
   lesson.notes[0].arrows = {{{5, 6, 16}, {2.1, 2, 13.9}, "an orifice"}, {{0.1, -1, 1.0 / 3}, {0, 0, 0}}};
+  lesson.translations = {{"de", {{"Three canals", "Drei Kan\xC3\xA4le"}, {"an orifice", "ein Eingang"}}}, {"pt-BR"}};
   lesson.notes[1].narration = "Look at the floor.\nThree hollows lie in it.";
   return lesson;
 }
@@ -196,6 +197,27 @@ TEST(Lesson, RefuseArrowsAndNarrationThatMakeNoSense) {
   EXPECT_EQ(cause_of(with(R"("narration":"Two\nlines.")")), "read");
   EXPECT_EQ(cause_of(with(R"("narration":3)")), "wrong-type");
   EXPECT_EQ(cause_of(with(R"("narration":")" + std::string(most_text_bytes + 1, 'x') + "\"")), "bad-text");
+}
+
+TEST(Lesson, RefuseTranslationsThatMakeNoSense) {
+  const auto into = [](const std::string& which) {
+    return cause_of(with(R"("tour":"")", "\"translations\":[" + which + "],"));
+  };
+  EXPECT_EQ(into(R"({"language":"de","texts":[["a","b"]]},{"language":"fr","texts":[]})"), "read");
+  EXPECT_EQ(into(R"({"language":"de","texts":[]},{"language":"de","texts":[]})"), "repeated-text");
+  EXPECT_EQ(into(R"({"language":"","texts":[]})"), "bad-value");
+  EXPECT_EQ(into(R"({"texts":[]})"), "missing-key");
+  EXPECT_EQ(into(R"({"language":"de"})"), "missing-key");
+  EXPECT_EQ(into(R"({"language":"de","texts":[["a"]]})"), "bad-text");
+  EXPECT_EQ(into(R"({"language":"de","texts":[["a","b","c"]]})"), "bad-text");
+  EXPECT_EQ(into(R"({"language":"de","texts":[["a","\u0007"]]})"), "bad-text");
+  EXPECT_EQ(into(R"({"language":"de","texts":["a"]})"), "wrong-type");
+  std::string many, pairs;
+  for (std::size_t i = 0; i <= most_translations; ++i)
+    many += (i ? "," : "") + std::string(R"({"texts":[],"language":"x)") + std::to_string(i) + "\"}";
+  for (std::size_t i = 0; i <= most_translated_texts; ++i) pairs += i ? R"(,["a","b"])" : R"(["a","b"])";
+  EXPECT_EQ(into(many), "too-many-texts");
+  EXPECT_EQ(into(R"({"language":"de","texts":[)" + pairs + "]}"), "too-many-texts");
 }
 
 TEST(Lesson, OfCamerasAloneAreStillVersionOne) {
