@@ -73,8 +73,9 @@ TEST(BuiltInLessons, SpeakOfTheSampleMolar) {
         arrow_labels.insert(arrow.label);
         if (arrow.label == "orifice") {
           EXPECT_TRUE(std::any_of(facts.canals.begin(), facts.canals.end(), [&](const CanalFact& canal) {
-            const Point3& orifice = canal.axis.back();
-            return glm::distance(arrow.to, {orifice.x, orifice.y, orifice.z}) < 0.6;
+            return std::any_of(canal.axis.begin(), canal.axis.end(), [&](const Point3& at) {
+              return canal.high_z - at.z < 1.5 && glm::distance(arrow.to, {at.x, at.y, at.z}) < 0.5;
+            });
           })) << note.title;
         }
       }
