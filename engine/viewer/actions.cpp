@@ -36,8 +36,8 @@ constexpr std::array<ActionKey, 37> keys = {{
     {"G", Action::toggle_lessons, "lessons", U'g'},
     {"PgDn", Action::next_step, "lesson: next", 0, Key::page_down},
     {"PgUp", Action::previous_step, "lesson: back", 0, Key::page_up},
-    {"Ctrl Z", Action::redo, "", 0, Key::z, true, true},
-    {"Ctrl Z", Action::undo, "lesson: undo; with Shift: redo", 0, Key::z, true},
+    {"Ctrl Z", Action::undo, "lesson: undo", 0, Key::z, true},
+    {"Ctrl Z", Action::redo, "with Shift: redo", 0, Key::z, true, true},
     {"F12", Action::take_picture, "take a picture", 0, Key::f12},
     {"Ctrl S", Action::save_scene, "save camera and looks", 0, Key::s, true},
     {"Ctrl O", Action::open_file, "open a file", 0, Key::o, true},
@@ -69,8 +69,8 @@ constexpr std::array<ActionKey, 26> in_flight = {{
     {"\xE2\x88\x92", Action::slower, "slower", U'-'},
     {"M", Action::catch_mouse, "the mouse looks without a button", U'm'},
     {"?", Action::toggle_help, "this list", U'?'},
-    {"Ctrl Z", Action::redo, "", 0, Key::z, true, true},
     {"Ctrl Z", Action::undo, "notes: undo; with Shift: redo", 0, Key::z, true},
+    {"Ctrl Z", Action::redo, "", 0, Key::z, true, true},
     {"F12", Action::take_picture, "take a picture", 0, Key::f12},
     {"Ctrl S", Action::save_scene, "save camera and looks", 0, Key::s, true},
     {"F9", Action::toggle_panel, "panel on or off", 0, Key::f9},
@@ -143,9 +143,13 @@ std::optional<Action> action_for(const TextTyped& text, std::span<const ActionKe
 
 std::optional<Action> action_for(const KeyChanged& pressed, std::span<const ActionKey> known) {
   if (!pressed.down || pressed.key == Key::other) return std::nullopt;
-  const auto found = std::find_if(known.begin(), known.end(), [&](const ActionKey& key) {
-    return key.key == pressed.key && key.control == pressed.with.control && (!key.shift || pressed.with.shift);
-  });
+  const auto find = [&](bool with_shift) {
+    return std::find_if(known.begin(), known.end(), [&](const ActionKey& key) {
+      return key.key == pressed.key && key.control == pressed.with.control && key.shift == with_shift;
+    });
+  };
+  auto found = pressed.with.shift ? find(true) : known.end();
+  if (found == known.end()) found = find(false);
   return found == known.end() ? std::nullopt : std::optional(found->action);
 }
 
