@@ -39,10 +39,10 @@ function notices() {
   return `<!--\nThis page was written by Odontoscope (GPL-3.0-or-later). It contains three.js and three-mesh-bvh.\n\n${['three', 'three-mesh-bvh'].map(words).join('\n\n')}\n-->`;
 }
 
-/// All of assets/languages in one line, which no parser of HTML takes for anything but text.
+/// All of assets/languages in one line, which no parser of HTML takes for anything but text. Errors are told by who reads files, which this page does not.
 function languages() {
   const folder = join(here, '../assets/languages'), files = readdirSync(folder).filter(name => name.endsWith('.json')).sort();
-  const all = files.map(name => JSON.parse(readFileSync(join(folder, name), 'utf8')));
+  const all = files.map(name => ({...JSON.parse(readFileSync(join(folder, name), 'utf8')), errors: undefined}));
   return JSON.stringify(all).replace(/[<>&]/g, sign => `\\u${sign.charCodeAt(0).toString(16).padStart(4, '0')}`);
 }
 

@@ -137,7 +137,8 @@ WebModel web_model_by_dt(const Reconstruction& made, bool simplified, const std:
 
 std::string language_in_page(const std::string& asked) {
   if (asked.empty()) return {};
-  const Language language = language_asked(asked);
+  Language language = language_asked(asked);
+  language.errors.clear();  // the page reads no files
   return knows_language(asked) ? fmt::format(R"({{"language":"{}"}})", language.tag) : to_json(language);
 }
 

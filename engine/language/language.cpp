@@ -150,6 +150,13 @@ std::string Language::said(const std::string& words) const {
   return named(words);
 }
 
+const ErrorWords* Language::words_for_error(std::string_view message) const {
+  const std::size_t open = message.rfind('[');
+  if (open == message.npos || !message.ends_with(']')) return nullptr;
+  const auto found = errors.find(message.substr(open + 1, message.size() - open - 2));
+  return found == errors.end() ? nullptr : &found->second;
+}
+
 std::vector<Language> known_languages() {
   std::vector<Language> known(1);
   for (const EmbeddedFile& file : language_files()) known.push_back(parse_language(file.bytes, std::string(file.name)));

@@ -5,6 +5,8 @@
 //   {"format":"odontoscope.language","version":1,"language":"de","name":"Deutsch","decimal":",","group":".",
 //    "texts":[["Fly inside","Hineinfliegen"],["Step {step} of {steps}","Schritt {step} von {steps}"]]}
 //
+// "errors", which may be left out, says of the causes of docs/formats.md what rule was broken, and what to do:
+//   "errors":[["too-few-points","Eine Kontur hat mindestens drei Punkte.","Entfernen Sie die Kontur."]]
 // In the code texts stand in English, and so they are looked up; what has no words in a language is said in English.
 // What stands in braces is filled in: both must have the same. web/source/language.js does the same with the same
 // files.
@@ -22,9 +24,17 @@
 
 namespace odontoscope {
 
+/// Of a cause (InputError::cause), in sentences.
+struct ErrorWords {
+  std::string rule, remedy;
+  friend bool operator==(const ErrorWords&, const ErrorWords&) = default;
+};
+
 struct Language {
   std::string tag = "en", name = "English", decimal = ".", group = ",";
   std::map<std::string, std::string, std::less<>> texts = {};  // by the English ones
+
+  std::map<std::string, ErrorWords, std::less<>> errors = {};  // by their causes
 
   using Value = std::pair<std::string_view, std::string>;
 
@@ -46,12 +56,16 @@ struct Language {
   /// a {count} is a number. What is not found stays.
   std::string said(const std::string& words) const;
 
+  /// Of an error's whole message, which ends with its cause in brackets; null: it has none, or there are no words for
+  /// it.
+  const ErrorWords* words_for_error(std::string_view message) const;
+
   bool english() const { return texts.empty(); }
   friend bool operator==(const Language&, const Language&) = default;
 };
 
 inline constexpr std::size_t most_language_file_bytes = 1u << 20, most_language_texts = 5000,
-                             longest_language_text = 4000;
+                             longest_language_text = 4000, most_language_errors = 1000;
 
 /// Throws InputError: what strict_json.h lists, and wrong-version, bad-language, bad-text, repeated-text,
 /// too-many-texts. docs/formats.md says when.

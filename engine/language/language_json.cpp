@@ -43,14 +43,17 @@ enum LanguageNode {
   group_node,
   texts_node,
   pair_node,
-  text_node
+  text_node,
+  errors_node,
+  error_node,
+  error_text_node
 };
 
 using Shape = JsonNode::Shape;
 constexpr JsonNode::Key file_keys[] = {{"format", format_node, true},   {"version", version_node, true},
                                        {"language", tag_node, true},    {"name", name_node, true},
                                        {"decimal", decimal_node, true}, {"group", group_node, true},
-                                       {"texts", texts_node, true}};
+                                       {"texts", texts_node, true},     {"errors", errors_node, false}};
 constexpr JsonNode language_nodes[] = {
     {Shape::object, "a language", -1, file_keys},
     {Shape::text, "\"format\""},
@@ -61,6 +64,9 @@ constexpr JsonNode language_nodes[] = {
     {Shape::text, "\"group\""},
     {Shape::array, "\"texts\"", pair_node},
     {Shape::array, "a pair of texts", text_node},
+    {Shape::text, "a text"},
+    {Shape::array, "\"errors\"", error_node},
+    {Shape::array, "words for an error", error_text_node},
     {Shape::text, "a text"},
 };
 
@@ -75,6 +81,11 @@ bool is_tag(const std::string& tag) {
   return !tag.empty() && tag.size() <= 35 && std::all_of(tag.begin(), tag.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
   });
+}
+
+bool is_cause(const std::string& text) {
+  return std::all_of(text.begin(), text.end(),
+                     [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; });
 }
 
 bool is_plain(const std::string& text, std::size_t longest) {
@@ -94,7 +105,7 @@ class LanguageReader final : public StrictJson {
 
  private:
   void opened(int node) override {
-    if (node == pair_node) pair_.clear();
+    if (node == pair_node || node == error_node) pair_.clear();
   }
   void number(int node, double value) override {
     if (node == version_node && value != language_version)
@@ -135,7 +146,19 @@ class LanguageReader final : public StrictJson {
   void closed(int node) override {
     if (node == whole_file && language_.decimal == language_.group)
       refuse("bad-language", "\"decimal\" and \"group\" are the same", "Correct one.");
-    if (node != pair_node) return;
+    if (node == error_node) add_error();
+    if (node == pair_node) add_pair();
+  }
+  void add_error() {
+    if (pair_.size() != 3 || !is_cause(pair_[0]))
+      refuse("bad-text", "words for an error are three texts: its cause, the rule, and what to do", "Correct it.");
+    if (language_.errors.size() == most_language_errors)
+      refuse("too-many-texts", fmt::format("more than {} errors", most_language_errors),
+             "Keep those that the program has.");
+    if (!language_.errors.emplace(pair_[0], ErrorWords{pair_[1], pair_[2]}).second)
+      refuse("repeated-text", fmt::format("\"{}\" comes twice", pair_[0]), "Leave one out.");
+  }
+  void add_pair() {
     if (pair_.size() != 2)
       refuse("bad-text", "a pair of texts has two: the English one, and its words in this language", "Correct it.");
     if (names_of_places(pair_[0]) != names_of_places(pair_[1]))
@@ -166,14 +189,15 @@ Language read_language(const std::string& file) {
 std::string to_json(const Language& language) {
   nlohmann::ordered_json texts = nlohmann::ordered_json::array();
   for (const auto& [english, words] : language.texts) texts.push_back({english, words});
-  return nlohmann::ordered_json{{"format", language_format},
-                                {"version", language_version},
-                                {"language", language.tag},
-                                {"name", language.name},
-                                {"decimal", language.decimal},
-                                {"group", language.group},
-                                {"texts", texts}}
-      .dump();
+  nlohmann::ordered_json json{{"format", language_format},
+                              {"version", language_version},
+                              {"language", language.tag},
+                              {"name", language.name},
+                              {"decimal", language.decimal},
+                              {"group", language.group},
+                              {"texts", texts}};
+  for (const auto& [cause, words] : language.errors) json["errors"].push_back({cause, words.rule, words.remedy});
+  return json.dump();
 }
 
 }  // namespace odontoscope

@@ -7,7 +7,7 @@ namespace odontoscope {
 
 namespace {
 
-constexpr std::array<ActionKey, 35> keys = {{
+constexpr std::array<ActionKey, 37> keys = {{
     {"1", Action::view_buccal, "from buccal (the cheek)", U'1'},
     {"2", Action::view_lingual, "from lingual (the tongue)", U'2'},
     {"3", Action::view_mesial, "from mesial (towards the midline)", U'3'},
@@ -36,6 +36,8 @@ constexpr std::array<ActionKey, 35> keys = {{
     {"G", Action::toggle_lessons, "lessons", U'g'},
     {"PgDn", Action::next_step, "lesson: next", 0, Key::page_down},
     {"PgUp", Action::previous_step, "lesson: back", 0, Key::page_up},
+    {"Ctrl Z", Action::undo, "lesson: undo", 0, Key::z, true},
+    {"Ctrl Z", Action::redo, "with Shift: redo", 0, Key::z, true, true},
     {"F12", Action::take_picture, "take a picture", 0, Key::f12},
     {"Ctrl S", Action::save_scene, "save camera and looks", 0, Key::s, true},
     {"Ctrl O", Action::open_file, "open a file", 0, Key::o, true},
@@ -45,7 +47,7 @@ constexpr std::array<ActionKey, 35> keys = {{
     {"Esc", Action::escape, "put away what is open; stop loading", 0, Key::escape},
 }};
 
-constexpr std::array<ActionKey, 24> in_flight = {{
+constexpr std::array<ActionKey, 26> in_flight = {{
     {"C", Action::enter_pulp, "back to outside; from outdoors: into the pulp", U'c'},
     {"X", Action::pass_wall, "through the wall straight ahead", U'x'},
     {"T", Action::next_canal, "ride down the next canal (1 to 9: that one)", U't'},
@@ -67,6 +69,8 @@ constexpr std::array<ActionKey, 24> in_flight = {{
     {"\xE2\x88\x92", Action::slower, "slower", U'-'},
     {"M", Action::catch_mouse, "the mouse looks without a button", U'm'},
     {"?", Action::toggle_help, "this list", U'?'},
+    {"Ctrl Z", Action::undo, "notes: undo; with Shift: redo", 0, Key::z, true},
+    {"Ctrl Z", Action::redo, "", 0, Key::z, true, true},
     {"F12", Action::take_picture, "take a picture", 0, Key::f12},
     {"Ctrl S", Action::save_scene, "save camera and looks", 0, Key::s, true},
     {"F9", Action::toggle_panel, "panel on or off", 0, Key::f9},
@@ -139,9 +143,13 @@ std::optional<Action> action_for(const TextTyped& text, std::span<const ActionKe
 
 std::optional<Action> action_for(const KeyChanged& pressed, std::span<const ActionKey> known) {
   if (!pressed.down || pressed.key == Key::other) return std::nullopt;
-  const auto found = std::find_if(known.begin(), known.end(), [&](const ActionKey& key) {
-    return key.key == pressed.key && key.control == pressed.with.control;
-  });
+  const auto find = [&](bool with_shift) {
+    return std::find_if(known.begin(), known.end(), [&](const ActionKey& key) {
+      return key.key == pressed.key && key.control == pressed.with.control && key.shift == with_shift;
+    });
+  };
+  auto found = pressed.with.shift ? find(true) : known.end();
+  if (found == known.end()) found = find(false);
   return found == known.end() ? std::nullopt : std::optional(found->action);
 }
 

@@ -62,7 +62,9 @@ enum class Action {
   toggle_lesson,
   toggle_lessons,
   next_step,
-  previous_step
+  previous_step,
+  undo,
+  redo
 };
 
 struct ActionKey {
@@ -72,6 +74,7 @@ struct ActionKey {
   char32_t character = 0;  // typed; small and capital letters alike
   Key key = Key::other;    // or pressed
   bool control = false;
+  bool shift = false;  // needed, too; otherwise it makes no difference
 };
 
 /// What the mouse does, for the list.

@@ -42,7 +42,7 @@ std::set<std::string> thrown_causes() {
     sources.push_back(entry.path());
   sources.push_back(source_folder() / "engine/app/made_model.cpp");  // moves models by what is said on the command line
   sources.push_back(source_folder() / "engine/language/language_json.cpp");
-  sources.push_back(source_folder() / "engine/navigate/notes.cpp");
+  sources.push_back(source_folder() / "engine/navigate/notes_json.cpp");
   for (const std::filesystem::path& source : sources) {
     if (source.extension() != ".cpp" && source.extension() != ".h") continue;
     const std::string text = read_file(source.string());

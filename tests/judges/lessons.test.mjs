@@ -15,14 +15,15 @@ const hostile = `<img src=x onerror="globalThis.bitten=1">`;
 const outside = {position: [0, 58, 10], target: [0, 0, 9.6], up: [0, 0, 1]}, clear = {format: 'odontoscope.scene', version: 1, structures: [{name: 'enamel', opacity: 0.2}, {name: 'dentine', opacity: 0.2}]};
 const notes = [
   {title: 'The tooth', text: `Two roots. ${hostile}`, inside: false, camera: {position: [-25, 48, 30], target: [0, 0, 9.6], up: [0, 0, 1]}, marks: [{at: [0, 0, 18], label: 'crown'}, {at: [3, 0, 3], label: hostile}]},
-  {title: 'Cut open', text: 'From buccal.', inside: false, camera: outside, scene: {...clear, section: {point: [0, 0.5, 9], normal: [0, 2, 0]}}},
+  {title: 'Cut open', text: 'From buccal.', inside: false, camera: outside, scene: {...clear, section: {point: [0, 0.5, 9], normal: [0, 2, 0]}},
+    arrows: [{from: [-7, 3, 15], to: [-1, 0.5, 9], label: hostile}, {from: [5, 4, 5], to: [3, 0.5, 4]}], narration: 'Dentine is pale. It is 3.4 mm thick here!\nThe pulp is inside.'},
   {title: 'Inside', text: '', inside: true, camera: {position: [-0.5, 0, 13], target: [-0.5, 0, 12], up: [0, 1, 0]}, scene: clear},
   {title: 'Down', text: '', inside: true, tour: 'distal canal', camera: {position: [-4, 0, 6], target: [-4, 0, 5], up: [0, 1, 0]}},
   {title: 'Which?', text: '', inside: false, camera: outside, scene: clear, marks: [{at: [-4, 0, 6], label: ''}], question: {kind: 'choice', ask: 'Which tissue is under the pin?', choices: ['enamel', 'pulp'], answer: 1, explain: 'It is the pulp.'}},
   {title: 'Find', text: '', inside: false, camera: outside, scene: clear, question: {kind: 'click', ask: 'Click the distal canal.', structure: 'pulp', part: 'distal canal', explain: ''}},
   {title: 'Measure', text: '', inside: false, camera: outside, scene: clear, question: {kind: 'number', ask: '=How long?', answer: 12.5, within: 0.5, unit: 'mm', explain: ''}},
 ];
-const lessonOf = change => JSON.stringify({format: 'odontoscope.tour', version: 3, title: 'Three canals', model: 'molar.json', language: 'en', notes, ...change});
+const lessonOf = change => JSON.stringify({format: 'odontoscope.tour', version: 4, title: 'Three canals', model: 'molar.json', language: 'en', notes, translations: [{language: 'fr', texts: [['The tooth', 'La dent']]}, {language: 'de-AT', texts: [['The tooth', 'Der Zahn'], ['crown', 'Krone'], ['Dentine is pale. It is 3.4 mm thick here!\nThe pulp is inside.', hostile]]}], ...change});
 odontoscope('sample', 'molar', '--slice-spacing', '0.35', '--point-spacing', '0.5', '-o', 'molar.json');
 writeFileSync(made('canals.tour.json'), lessonOf({}));
 writeFileSync(made('exam.tour.json'), lessonOf({feedback: 'at-end', title: 'Exam', notes: notes.slice(4)}));
@@ -80,6 +81,50 @@ test('steps change by button, key and address, and bring their looks, section an
   assert.ok(Math.abs(ride.mm - ride.goal) < 1e-6 && ride.mm > 3, JSON.stringify(ride));
   await page.keyboard.press('p');
   assert.equal((await state()).step, 3);
+});
+
+test('arrows point at the same place from any side, and their words stay words', async () => {
+  await go(2);
+  for (const view of ['buccal', 'mesial', 'occlusal']) {
+    await page.evaluate(name => { viewer.look(name); viewer.orbit.update(0); }, view);
+    const tip = await inWindow([-1, 0.5, 9]);
+    const drawn = await page.evaluate(() => { const [, x, y] = /M(?:[^L]+L){3}([\d.]+),([\d.]+)/.exec(document.querySelector('#pins path').getAttribute('d')), box = viewer.canvas.getBoundingClientRect(); return {x: box.left + Number(x), y: box.top + Number(y)}; });
+    assert.ok(Math.hypot(tip.x - drawn.x, tip.y - drawn.y) < 0.2, JSON.stringify({view, tip, drawn}));
+  }
+  assert.deepEqual(await page.evaluate(() => [document.querySelectorAll('#pins path').length, document.querySelector('#pins .arrow').textContent]), [2, hostile]);
+  await go(3);
+  assert.equal(await page.locator('#pins path').count(), 0);
+});
+
+test('a step is read aloud by voices of this machine alone, in its language, with captions; without one its words are there', async () => {
+  await page.evaluate(() => {
+    globalThis.spoken = [];
+    globalThis.SpeechSynthesisUtterance = class extends EventTarget { constructor(text) { super(); this.text = text; } };
+    Object.assign(speechSynthesis, {speak: said => { spoken.push(said); said.dispatchEvent(new Event('start')); }, cancel: () => {}, voices: [], getVoices: () => speechSynthesis.voices});
+  });
+  const voices = list => page.evaluate(all => { speechSynthesis.voices = all; speechSynthesis.dispatchEvent(new Event('voiceschanged')); }, list);
+  await voices([{lang: 'de-DE', localService: true}, {lang: 'en-GB', localService: false}]);
+  await go(2);
+  const read = page.getByRole('button', {name: 'Read aloud'});
+  assert.equal(await read.count(), 0, 'no voice that is ours to use');
+  assert.ok(await page.getByText('The pulp is inside.').isVisible(), 'so the text is unfolded');
+  await voices([{lang: 'de-DE', localService: true}, {lang: 'en_GB', localService: true}]);
+  assert.ok(!await page.getByText('The pulp is inside.').isVisible());
+  await page.locator('.narration summary').focus();
+  await page.keyboard.press('Enter');
+  assert.ok(await page.getByText('The pulp is inside.').isVisible());
+  await read.focus();
+  await page.keyboard.press('Enter');
+  const said = () => page.evaluate(() => ({texts: spoken.map(({text}) => text), languages: [...new Set(spoken.map(({lang}) => lang))], caption: document.getElementById('caption').textContent}));
+  assert.deepEqual(await said(), {texts: ['Dentine is pale.', 'It is 3.4 mm thick here!', 'The pulp is inside.'], languages: ['en_GB'], caption: 'The pulp is inside.'});
+  await page.evaluate(() => spoken.at(-1).dispatchEvent(new Event('end')));
+  assert.ok(!await page.locator('#caption').isVisible());
+  await go(1);
+  assert.match((await said()).texts.at(-2), /^Two roots\.$/);   // a step without narration is its text
+  await page.getByRole('button', {name: 'Stop reading'}).click();
+  assert.ok(!await page.locator('#caption').isVisible());
+  await go(2);
+  assert.equal((await said()).texts.length, 5, 'and stays silent');
 });
 
 test('inside, numbers stand on the rings that they name, and none covers another', async () => {
@@ -196,11 +241,21 @@ test('axe finds nothing on a step, an answered question, the marks and the hando
   assert.deepEqual(await look(), [], 'handout');
   await page.getByRole('button', {name: 'Back to the lesson'}).click();
   assert.equal((await state()).step, 1);
-  for (const step of [1, 5, 8]) {
+  for (const step of [1, 2, 5, 8]) {
     await go(step);
     if (step === 5) await page.getByRole('button', {name: 'enamel', exact: true}).click();
     assert.deepEqual(await look(), [], `step ${step}`);
   }
+});
+
+test('a lesson that brings its words in the language of the reader says them, and what has none stays', async () => {
+  const two = await openedIn(chromium, made('embedded.html'), {size, context: {...context, locale: 'de-DE'}});
+  await quiet(two);
+  const told = await two.page.evaluate(() => { viewer.teaching.lesson.go(1); return [document.querySelector('.narration').textContent, viewer.teaching.lesson.language, viewer.teaching.lesson.notes.slice(0, 3).map(({title}) => title), viewer.teaching.lesson.notes[0].marks[0].label, document.querySelector('.steps').textContent]; });
+  assert.deepEqual(told.slice(0, 4), [`Erz\u00e4hltext${hostile}`, 'de-AT', ['Der Zahn', 'Cut open', 'Inside'], 'Krone']);
+  assert.equal(await two.page.evaluate(() => globalThis.bitten), undefined);
+  assert.deepEqual(two.watched, []);
+  await two.close();
 });
 
 test('a page around it is told, and no other', async t => {

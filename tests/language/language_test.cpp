@@ -32,6 +32,33 @@ Language little() {
       "test.json");
 }
 
+std::string with_errors(const std::string& errors) {
+  std::string text = file_of("");
+  text.insert(text.size() - 1, ",\"errors\":[" + errors + "]");
+  return text;
+}
+
+TEST(Language, HasWordsForErrorsByTheirCause) {
+  const Language xish = parse_language(with_errors(R"(["too-few-points","Drei Punkte.","Entfernen."])"), "test.json");
+  const ErrorWords* words = xish.words_for_error("a.json: slice 1 [2]: 2 points. Remove it. [too-few-points]");
+  ASSERT_TRUE(words);
+  EXPECT_EQ(words->rule, "Drei Punkte.");
+  EXPECT_EQ(words->remedy, "Entfernen.");
+  EXPECT_FALSE(xish.words_for_error("a.json: no such file"));
+  EXPECT_FALSE(xish.words_for_error("something else [zero-area]"));
+  EXPECT_FALSE(xish.words_for_error("[too-few-points] and more"));
+  EXPECT_EQ(parse_language(to_json(xish), "again"), xish);
+  EXPECT_EQ(cause_of(with_errors(R"(["too-few-points","Drei Punkte."])")), "bad-text");
+  EXPECT_EQ(cause_of(with_errors(R"(["Too few","Drei Punkte.","Entfernen."])")), "bad-text");
+  EXPECT_EQ(cause_of(with_errors(R"(["a","","Entfernen."])")), "bad-text");
+  EXPECT_EQ(cause_of(with_errors(R"(["a","b","c"],["a","b","c"])")), "repeated-text");
+  EXPECT_EQ(cause_of(with_errors(R"({"a":"b"})")), "wrong-type");
+  std::string many;
+  for (std::size_t i = 0; i <= most_language_errors; ++i)
+    many += (i ? "," : "") + std::string(R"(["e)") + std::to_string(i) + R"(","b","c"])";
+  EXPECT_EQ(cause_of(with_errors(many)), "too-many-texts");
+}
+
 TEST(Language, SaysWhatItHasAndEnglishElsewhere) {
   const Language xish = little();
   EXPECT_STREQ(xish.of("Fly"), "Fliegen");

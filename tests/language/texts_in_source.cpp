@@ -54,6 +54,8 @@ std::set<std::string> texts_of_lessons() {
       add(note.title);
       add(note.text);
       add(note.tour);
+      add(note.narration);
+      for (const LessonArrow& arrow : note.arrows) add(arrow.label);
       for (const LessonPin& mark : note.marks) add(mark.label);
       if (!note.question) continue;
       for (const std::string& text : {note.question->ask, note.question->explain, note.question->structure,
@@ -145,6 +147,19 @@ std::set<std::string> texts_of_db_lesson(const std::filesystem::path& source) {
   for (const auto& step : lesson.at("steps"))
     for (const char* key : {"title", "words"}) texts.insert(step.at(key).get<std::string>());
   return texts;
+}
+
+std::set<std::string> causes_in_source(const std::filesystem::path& source) {
+  static const std::regex thrown(R"re(\b(?:InputError|refuse)\s*\(\s*"([a-z0-9-]+)")re");
+  std::set<std::string> causes;
+  for (const char* part : {"recon", "engine"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(source / part)) {
+      if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
+      const std::string text = content_of(entry.path());
+      for (std::sregex_iterator found(text.begin(), text.end(), thrown), end; found != end; ++found)
+        causes.insert((*found)[1]);
+    }
+  return causes;
 }
 
 }  // namespace odontoscope::test

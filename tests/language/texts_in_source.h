@@ -30,4 +30,7 @@ std::set<std::string> marked_in_page(const std::string& html);
 
 std::string content_of(const std::filesystem::path& file);
 
+/// Of all that is thrown for bad input, by the first argument of InputError and of what leads to it.
+std::set<std::string> causes_in_source(const std::filesystem::path& source);
+
 }  // namespace odontoscope::test

@@ -60,6 +60,25 @@ TEST(Texts, OfTheViewerHaveTheirWordsInEachLanguage) {
   }
 }
 
+/// Whoever reads no English reads why a file cannot be read.
+TEST(Texts, OfErrorsHaveTheirWordsInEachLanguage) {
+  const std::set<std::string> causes = causes_in_source(source);
+  EXPECT_GT(causes.size(), 110u);
+  EXPECT_TRUE(causes.contains("bad-camera") && causes.contains("unparsable") && causes.contains("several-series"));
+  for (const Language& language : others()) {
+    std::string missing, needless;
+    for (const std::string& cause : causes)
+      if (!language.errors.contains(cause)) missing += "\n  " + cause;
+    for (const auto& [cause, words] : language.errors) {
+      if (!causes.contains(cause)) needless += "\n  " + cause;
+      for (const std::string& sentence : {words.rule, words.remedy})
+        EXPECT_TRUE(sentence.ends_with('.') && std::isupper(static_cast<unsigned char>(sentence[0]))) << sentence;
+    }
+    EXPECT_EQ(missing, "") << language.name;
+    EXPECT_EQ(needless, "") << language.name << ": thrown nowhere";
+  }
+}
+
 /// An answer that is compared by its words must not become the same as another.
 TEST(Texts, OfTheLessonsStayApart) {
   for (const Language& language : others()) {

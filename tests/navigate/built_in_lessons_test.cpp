@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <set>
 
 #include "recon/sample/sample_tooth.h"
 
@@ -57,6 +58,7 @@ TEST(BuiltInLessons, SpeakOfTheSampleMolar) {
   std::vector<std::string> parts = {"pulp chamber"};
   for (const CanalFact& canal : facts.canals) parts.push_back(canal.name + " canal");
   const std::vector<std::string> structures = {"enamel", "dentine", "pulp"};
+  std::set<std::string> arrow_labels;
   const auto among = [](const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
@@ -64,6 +66,18 @@ TEST(BuiltInLessons, SpeakOfTheSampleMolar) {
     for (const LessonNote& note : lesson.notes) {
       if (!note.tour.empty()) {
         EXPECT_TRUE(among(parts, note.tour)) << note.tour;
+      }
+      for (const LessonArrow& arrow : note.arrows) {
+        EXPECT_LE(std::max(std::abs(arrow.to.x), std::abs(arrow.to.y)), 6) << arrow.label;
+        EXPECT_TRUE(arrow.to.z > 0 && arrow.to.z < 22) << arrow.label;
+        arrow_labels.insert(arrow.label);
+        if (arrow.label == "orifice") {
+          EXPECT_TRUE(std::any_of(facts.canals.begin(), facts.canals.end(), [&](const CanalFact& canal) {
+            return std::any_of(canal.axis.begin(), canal.axis.end(), [&](const Point3& at) {
+              return canal.high_z - at.z < 1.5 && glm::distance(arrow.to, {at.x, at.y, at.z}) < 0.6;  // half a mouth
+            });
+          })) << note.title;
+        }
       }
       for (const LessonPin& mark : note.marks) {
         EXPECT_LE(std::max(std::abs(mark.at.x), std::abs(mark.at.y)), 6) << mark.label;
@@ -75,6 +89,7 @@ TEST(BuiltInLessons, SpeakOfTheSampleMolar) {
         EXPECT_TRUE(among(parts, note.question->part)) << note.title;
       }
     }
+  EXPECT_TRUE(arrow_labels.contains("orifice") && arrow_labels.contains("furcation"));
   const Lesson quiz = all().back();
   const auto answer_of = [&](const char* title) {
     const auto found =

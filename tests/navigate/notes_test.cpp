@@ -108,6 +108,24 @@ TEST(Lesson, WithQuestionsAndPinsAreReadAsTheyWereWritten) {
   EXPECT_NE(to_json(tour_with_scenes()).find("\"version\": 2"), std::string::npos) << "older programs read it, too";
 }
 
+Lesson tour_with_arrows() {
+  Lesson lesson = quiz_tour();
+  lesson.notes[0].arrows = {{{5, 6, 16}, {2.1, 2, 13.9}, "an orifice"}, {{0.1, -1, 1.0 / 3}, {0, 0, 0}}};
+  lesson.translations = {{"de", {{"Three canals", "Drei Kan\xC3\xA4le"}, {"an orifice", "ein Eingang"}}}, {"pt-BR"}};
+  lesson.notes[1].narration = "Look at the floor.\nThree hollows lie in it.";
+  return lesson;
+}
+
+TEST(Lesson, WithArrowsAndNarrationAreReadAsTheyWereWritten) {
+  const Lesson lesson = tour_with_arrows();
+  const std::string text = to_json(lesson);
+  EXPECT_NE(text.find("\"version\": 4"), std::string::npos);
+  EXPECT_EQ(parse_lesson(text, "a"), lesson);
+  Lesson spoken = some_tour();
+  spoken.notes[0].narration = "Said.";
+  EXPECT_NE(to_json(spoken).find("\"version\": 4"), std::string::npos) << "older programs do not know it";
+}
+
 /// A lesson of one note with this beside title, text and camera.
 std::string with(const std::string& more, const std::string& top = "") {
   return R"({"format":"odontoscope.tour","version":3,"title":"",)" + top +
@@ -159,6 +177,49 @@ TEST(Lesson, RefusePinsAndTopsThatMakeNoSense) {
   EXPECT_EQ(cause_of(with(R"("tour":"canal 1")", R"("feedback":"never",)")), "bad-value");
 }
 
+TEST(Lesson, RefuseArrowsAndNarrationThatMakeNoSense) {
+  const auto arrows = [](const std::string& which) { return cause_of(with("\"arrows\":[" + which + "]")); };
+  const std::string one = R"({"from":[1,2,3],"to":[0,0,0]})";
+  std::string many;
+  for (std::size_t i = 0; i < most_arrows; ++i) many += one + ",";
+  EXPECT_EQ(arrows(many.substr(0, many.size() - 1)), "read");
+  EXPECT_EQ(arrows(many + one), "too-many-arrows");
+  EXPECT_EQ(arrows(R"({"from":[1,2,3],"to":[1,2,3]})"), "bad-arrow");
+  EXPECT_EQ(arrows(R"({"from":[1,2,3],"to":[1,2,3.0005]})"), "bad-arrow");
+  EXPECT_EQ(arrows(R"({"from":[1,2,3],"to":[1,2]})"), "wrong-type");
+  EXPECT_EQ(arrows(R"({"from":[1,2,3,4],"to":[1,2,0]})"), "wrong-type");
+  EXPECT_EQ(arrows(R"({"from":[1,2,1e300],"to":[1,2,3]})"), "too-large");
+  EXPECT_EQ(arrows(R"({"from":[1,2,NaN],"to":[1,2,3]})"), "not-finite");
+  EXPECT_EQ(arrows(R"({"from":[1,2,3]})"), "missing-key");
+  EXPECT_EQ(arrows(R"({"to":[1,2,3]})"), "missing-key");
+  EXPECT_EQ(arrows(R"({"from":[1,2,3],"to":[0,0,0],"at":[0,0,0]})"), "unknown-key");
+  EXPECT_EQ(arrows(R"({"from":[1,2,3],"to":[0,0,0],"label":"\u0007"})"), "bad-title");
+  EXPECT_EQ(cause_of(with(R"("narration":"Two\nlines.")")), "read");
+  EXPECT_EQ(cause_of(with(R"("narration":3)")), "wrong-type");
+  EXPECT_EQ(cause_of(with(R"("narration":")" + std::string(most_text_bytes + 1, 'x') + "\"")), "bad-text");
+}
+
+TEST(Lesson, RefuseTranslationsThatMakeNoSense) {
+  const auto into = [](const std::string& which) {
+    return cause_of(with(R"("tour":"")", "\"translations\":[" + which + "],"));
+  };
+  EXPECT_EQ(into(R"({"language":"de","texts":[["a","b"]]},{"language":"fr","texts":[]})"), "read");
+  EXPECT_EQ(into(R"({"language":"de","texts":[]},{"language":"de","texts":[]})"), "repeated-text");
+  EXPECT_EQ(into(R"({"language":"","texts":[]})"), "bad-value");
+  EXPECT_EQ(into(R"({"texts":[]})"), "missing-key");
+  EXPECT_EQ(into(R"({"language":"de"})"), "missing-key");
+  EXPECT_EQ(into(R"({"language":"de","texts":[["a"]]})"), "bad-text");
+  EXPECT_EQ(into(R"({"language":"de","texts":[["a","b","c"]]})"), "bad-text");
+  EXPECT_EQ(into(R"({"language":"de","texts":[["a","\u0007"]]})"), "bad-text");
+  EXPECT_EQ(into(R"({"language":"de","texts":["a"]})"), "wrong-type");
+  std::string many, pairs;
+  for (std::size_t i = 0; i <= most_translations; ++i)
+    many += (i ? "," : "") + std::string(R"({"texts":[],"language":"x)") + std::to_string(i) + "\"}";
+  for (std::size_t i = 0; i <= most_translated_texts; ++i) pairs += i ? R"(,["a","b"])" : R"(["a","b"])";
+  EXPECT_EQ(into(many), "too-many-texts");
+  EXPECT_EQ(into(R"({"language":"de","texts":[)" + pairs + "]}"), "too-many-texts");
+}
+
 TEST(Lesson, OfCamerasAloneAreStillVersionOne) {
   const std::string text = to_json(some_tour());
   EXPECT_NE(text.find("\"version\": 1"), std::string::npos);
@@ -195,7 +256,8 @@ TEST(Lesson, RefuseEachWithItsCause) {
   EXPECT_EQ(cause_of(""), "unparsable");
   EXPECT_EQ(cause_of("{"), "unparsable");
   EXPECT_EQ(cause_of(changed("odontoscope.tour", "odontoscope.lesson")), "wrong-format");
-  EXPECT_EQ(cause_of(changed("\"version\": 1", "\"version\": 4")), "wrong-version");
+  EXPECT_EQ(cause_of(changed("\"version\": 1", "\"version\": 5")), "wrong-version");
+  EXPECT_EQ(cause_of(changed("\"version\": 1", "\"version\": 1.5")), "wrong-version");
   EXPECT_EQ(cause_of(changed("\"title\": \"Three canals\",", "")), "missing-key");
   EXPECT_EQ(cause_of(changed("\"inside\": true", "\"insid\": true")), "unknown-key");
   EXPECT_EQ(cause_of(changed("\"inside\": true", "\"inside\": 1")), "wrong-type");
@@ -216,10 +278,11 @@ TEST(Lesson, RefuseEachWithItsCause) {
 }
 
 TEST(Lesson, NoChangeOfAByteDoesHarm) {
-  const std::string wholes[] = {to_json(some_tour()), to_json(tour_with_scenes()), to_json(quiz_tour())};
+  const std::string wholes[] = {to_json(some_tour()), to_json(tour_with_scenes()), to_json(quiz_tour()),
+                                to_json(tour_with_arrows())};
   RandomNumbers random(3);
   for (int i = 0; i < 6000; ++i) {
-    std::string text = wholes[i % 3];
+    std::string text = wholes[i % 4];
     for (int k = random.whole(1, 4); k > 0; --k) {
       const auto at = static_cast<std::size_t>(random.below(static_cast<int>(text.size())));
       if (random.chance(0.5))

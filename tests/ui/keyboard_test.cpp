@@ -131,6 +131,10 @@ TEST_F(KeyboardTest, ANoteIsWrittenWithoutAMouse) {
   EXPECT_EQ(notes.draft->title, "Ab");
   EXPECT_EQ(notes.draft->text, "cd");
   EXPECT_FALSE(fly().on);
+  press_key(Key::tab);  // into the narration
+  frames(3);
+  type(U'e');
+  EXPECT_EQ(notes.draft->narration, "e");
   press_key(Key::tab);
   press_key(Key::enter);
   frames(2);

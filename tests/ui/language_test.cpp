@@ -79,13 +79,41 @@ TEST_F(LanguageInTheWindow, HasRoomForItsWords) {
   mode<NotesMode>().notes().write = true;
   expect_all_fits("a note");
   keep_picture("german_note");
+  NotesState& notes = mode<NotesMode>().notes();
+  notes.draft->arrows.push_back({{0, 9, 4}, {0, 0, 4}, ""});
+  expect_all_fits("a note's arrows");
+  notes.placing = NotesState::Placing::arrow_tail;
+  expect_all_fits("where an arrow begins");
   press_key(Key::escape);
+  keep_draft(notes);
+  expect_all_fits("undo and redo");
+  keep_picture("german_undo");
+  press_key(Key::z, {.control = true});
   type('c');
   frames(30, 0.1);
   expect_all_fits("in flight");
   type('?');
   expect_all_fits("the keys of flight");
   keep_picture("german_flight");
+}
+
+TEST_F(LanguageInTheWindow, TellsWhyAFileCannotBeReadAndBelowPreciselyInEnglish) {
+  german();
+  const std::string trouble =
+      "squares.json: slice 1 (z = 1), contour 0, point 2 at (1, 2): the edge after this point crosses contour 1 after "
+      "its point 3; both belong to \"tooth\". Merge the two contours, or give them different structures. "
+      "[contours-cross]";
+  viewer().state().trouble = trouble;
+  expect_all_fits("an error");
+  keep_picture("german_error");
+  const Image told = picture();
+  ViewerOptions without;
+  without.language = known_language("de");
+  without.language.errors.clear();
+  viewer_with_tooth(std::move(without));
+  viewer().state().trouble = trouble;
+  frames(3);
+  EXPECT_NE(picture(), told);
 }
 
 TEST_F(LanguageInTheWindow, WhatHasNoRoomIsNoticed) {

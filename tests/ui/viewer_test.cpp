@@ -361,6 +361,9 @@ TEST(Actions, EveryKeyIsOneActionAndHasWords) {
   }
   EXPECT_EQ(action_for(TextTyped{U'W'}), Action::toggle_wire);
   EXPECT_FALSE(action_for(KeyChanged{Key::s, true, {}}));  // only with Ctrl
+  EXPECT_EQ(action_for(KeyChanged{Key::z, true, {.control = true}}), Action::undo);
+  EXPECT_EQ(action_for(KeyChanged{Key::z, true, {.shift = true, .control = true}}), Action::redo);
+  EXPECT_EQ(action_for(KeyChanged{Key::s, true, {.shift = true, .control = true}}), Action::save_scene);
 }
 
 TEST(ScaleBars, AreRoundNumbersThatFit) {

@@ -130,6 +130,12 @@ test('hostile files end in errors with a remedy, and the page lives', async () =
     assert.ok(words.length > 20 && !/bug|unreachable|RuntimeError/.test(words), `${name}: ${words}`);
   }
   await page.fill('input[name=iso]', '');
+  await page.evaluate(() => Object.defineProperty(navigator, 'languages', {value: ['de-AT', 'en'], configurable: true}));
+  await page.setInputFiles('#file', put('crossing.json', bad['crossing.json']));
+  await page.waitForSelector('#failure [lang=de]');
+  await idle();
+  assert.match(await page.textContent('#failure'), /^Konturen einer Struktur kreuzen einander nicht\..+\n.*crossing\.json: slice 1 .*\[contours-cross\]$/s);   // and precisely in English
+  await page.evaluate(() => delete navigator.languages);
   await page.click('.sample[value=molar]');
   await page.waitForFunction(() => document.getElementById('given').textContent === 'molar.json' && document.getElementById('failure').hidden);
   await idle();

@@ -14,14 +14,17 @@ export function lessonOf() {
   const held = document.getElementById('tour');
   if (!held) return null;
   const file = JSON.parse(held.textContent);
-  return held.hasAttribute('data-built-in') ? translated(file) : file;
+  if (held.hasAttribute('data-built-in')) return translated(file, t, language.language);
+  const first = tag => tag.toLowerCase().split('-')[0], mine = language.language;
+  const own = first(file.language ?? 'en') === first(mine) ? null : file.translations?.find(one => first(one.language) === first(mine)), texts = new Map(own?.texts);
+  return own ? translated(file, text => texts.get(text) ?? text, own.language) : file;
 }
 
-/// A lesson that comes with the program, in the reader's language. What its answers are compared with stays.
-function translated(file) {
-  const words = text => text ? t(text) : text, questionOf = question => question && {...question, ask: words(question.ask), explain: words(question.explain), unit: words(question.unit), ...(question.choices && {choices: question.choices.map(words)})};
-  const notes = file.notes.map(note => ({...note, title: words(note.title), text: words(note.text), marks: note.marks?.map(mark => ({...mark, label: words(mark.label)})), question: questionOf(note.question)}));
-  return {...file, title: words(file.title), language: language.language, notes};
+/// A lesson in the reader's language. What its answers are compared with stays.
+function translated(file, say, tongue) {
+  const words = text => text ? say(text) : text, questionOf = question => question && {...question, ask: words(question.ask), explain: words(question.explain), unit: words(question.unit), ...(question.choices && {choices: question.choices.map(words)})};
+  const notes = file.notes.map(note => ({...note, title: words(note.title), text: words(note.text), narration: words(note.narration), marks: note.marks?.map(mark => ({...mark, label: words(mark.label)})), arrows: note.arrows?.map(arrow => ({...arrow, label: words(arrow.label)})), question: questionOf(note.question)}));
+  return {...file, title: words(file.title), language: tongue, notes};
 }
 
 async function unpacked(element) {

@@ -1,6 +1,7 @@
 // A lesson on paper: a picture and the text of each step, its questions with room for answers, and the right answers on a page of their own. The browser
 // prints it, or makes a PDF of it.
 import {tell} from './address.js';
+import {arrowIn, outlineOf} from './arrows.js';
 import {element} from './dom.js';
 import {t} from './language.js';
 import {rightAnswer} from './marks.js';
@@ -50,7 +51,7 @@ export class Handout {
     const pictures = this.pictures(file.notes);
     const steps = file.notes.map((note, index) => element('section', {class: 'sheet'}, element('h2', {}, `${index + 1}. ${note.title || note.question?.ask || ''}`),
       element('img', {src: pictures[index], alt: t('The picture of step {step}', {step: index + 1}), width: size.width, height: size.height}),
-      ...String(note.text ?? '').split(/\n+/).filter(Boolean).map(line => element('p', {}, line)), note.question ? this.question(note.question, number(note)) : null));
+      ...[note.text, note.narration].flatMap(text => String(text ?? '').split(/\n+/)).filter(Boolean).map(line => element('p', {}, line)), note.question ? this.question(note.question, number(note)) : null));
     const answers = asked.length > 0 ? element('section', {class: 'answers-sheet'}, element('h2', {}, t('Answers')), element('ol', {}, ...asked.map(({question}) =>
       element('li', {}, `${rightAnswer(question)}. ${question.explain ?? ''}`)))) : null;
     this.host.replaceChildren(...[
@@ -93,6 +94,7 @@ export class Handout {
     context.drawImage(viewer.canvas, 0, 0, size.width, size.height);
     context.font = '600 22px system-ui, sans-serif';
     context.textBaseline = 'middle';
+    for (const arrow of viewer.pins.arrows.arrows) this.paintArrow(context, arrow);
     for (const {at, words} of viewer.pins.pins) {
       const p = at.clone().project(viewer.camera), x = (p.x + 1) / 2 * size.width, y = (1 - p.y) / 2 * size.height;
       if (p.z > 1 || p.z < -1 || (viewer.inside && !viewer.inSight(at))) continue;
@@ -114,5 +116,25 @@ export class Handout {
       context.fillText(text, left, y - 30);
     }
     return canvas.toDataURL('image/jpeg', 0.9);
+  }
+
+  paintArrow(context, arrow) {
+    const {viewer, size} = this, at = arrowIn(viewer, viewer.camera, arrow, size.width, size.height);
+    if (!at) return;
+    context.strokeStyle = '#111';
+    context.fillStyle = '#f4bf4f';
+    context.lineWidth = 2;
+    context.beginPath();
+    for (const corner of outlineOf(at, {shaft: 3, half: 11, head: 24})) context.lineTo(...corner);
+    context.closePath();
+    context.fill();
+    context.stroke();
+    if (!arrow.label) return;
+    const {width} = context.measureText(arrow.label), length = Math.max(Math.hypot(at.x1 - at.x2, at.y1 - at.y2), 1e-3), within = (wanted, high) => Math.min(Math.max(wanted, 8), high - 8);
+    const left = within(at.x1 + (at.x1 - at.x2) / length * (width / 2 + 8) - width / 2, size.width - width), y = within(at.y1 + (at.y1 - at.y2) / length * 18, size.height - 18);
+    context.fillStyle = '#fffc';
+    context.fillRect(left - 5, y - 14, width + 10, 28);
+    context.fillStyle = '#111';
+    context.fillText(arrow.label, left, y);
   }
 }

@@ -2,6 +2,7 @@
 import {element} from './dom.js';
 import {t} from './language.js';
 import {asCsv, asJson, rightAnswer, shownAnswer} from './marks.js';
+import {Narration} from './narration.js';
 import {questionForm} from './question_form.js';
 
 const paragraphs = text => String(text ?? '').split(/\n+/).filter(Boolean).map(line => element('p', {}, line));
@@ -10,6 +11,7 @@ export class LessonCard {
   /// `does`: {leave, handout, again}; each may be missing.
   constructor(viewer, lesson, does) {
     Object.assign(this, {viewer, lesson, does});
+    this.narration = new Narration(lesson.language);
     this.heading = element('h2', {id: 'lesson-title', tabindex: -1});
     this.where = element('p', {class: 'quiet', id: 'lesson-step'});
     this.body = element('div', {id: 'lesson-body'});
@@ -40,6 +42,7 @@ export class LessonCard {
     this.body.replaceChildren(...(note ? this.step(note) : this.end()));
     this.steer();
     this.list();
+    if (event === 'step') this.narration.begin();
     if (event === 'step') {
       this.told.textContent = [this.where.textContent, this.heading.textContent, ...this.spoken(note)].join('. ');
       this.host.closest('#panel').scrollTop = 0;
@@ -75,11 +78,18 @@ export class LessonCard {
 
   step(note) {
     const parts = paragraphs(note.text);
+    parts.push(...this.narration.parts(note));
     if (note.question) parts.push(questionForm(this.viewer, this.lesson, note));
     return parts;
   }
 
+  close() {
+    this.narration.close();
+    this.host.hidden = true;
+  }
+
   end() {
+    this.narration.parts({});
     const {lesson} = this, {rows} = lesson, {right, of} = lesson.score;
     const told = element('p', {class: 'score'}, t('{right} of {all} right', {right, all: of}));
     const list = element('ol', {class: 'marks'}, ...rows.map(row => {

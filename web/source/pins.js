@@ -1,5 +1,6 @@
 // Pins that a lesson sets: a dot at a place, with a label or a question mark. Seen from outside through everything, inside only where no wall hides them.
 import {Vector3} from 'three';
+import {Arrows} from './arrows.js';
 import {element} from './dom.js';
 
 const most = 50;
@@ -13,11 +14,12 @@ export class Pins {
     this.host.append(this.lines);
     document.getElementById('labels').after(this.host);
     this.pins = [];
+    this.arrows = new Arrows(viewer, this.host, this.lines);
     this.boxes = [];   // of the labels in the picture, for others to keep clear of
   }
 
-  /// `bare`: what a pin without a label says.
-  show(marks, bare = '') {
+  /// `bare`: what a pin without a label says. `arrows`: see arrows.js.
+  show(marks, bare = '', arrows = []) {
     this.host.replaceChildren(this.lines);
     this.lines.replaceChildren();
     this.pins = marks.slice(0, most).map(({at, label}) => {
@@ -27,16 +29,17 @@ export class Pins {
       if (label || bare) this.host.append(words);
       return {at: new Vector3(...at), line, dot, words};
     });
+    this.arrows.show(arrows);
     this.host.setAttribute('role', 'note');
-    this.host.setAttribute('aria-label', this.pins.map(pin => pin.words.textContent).filter(Boolean).join(', '));
-    this.host.hidden = this.pins.length === 0;
+    this.host.setAttribute('aria-label', [...this.pins, ...this.arrows.arrows].map(({words}) => words.textContent).filter(Boolean).join(', '));
+    this.host.hidden = this.pins.length + this.arrows.arrows.length === 0;
     this.viewer.touch();
   }
 
   place(camera) {
     const {viewer} = this, width = viewer.canvas.clientWidth, height = viewer.canvas.clientHeight, seen = [];
     camera.updateMatrixWorld();
-    this.boxes = [];
+    this.boxes = this.arrows.place(camera, width, height);
     for (const pin of this.pins) {
       const p = pin.at.clone().project(camera), x = (p.x + 1) / 2 * width, y = (1 - p.y) / 2 * height;
       const hidden = p.z > 1 || p.z < -1 || x < 0 || x > width || y < 0 || y > height || (viewer.inside && !viewer.inSight(pin.at));

@@ -23,7 +23,7 @@ export class Staging {
       if (viewer.inside) viewer.leave();
       viewer.labels.mark = null;
       if (note.scene) this.dress(note.scene);
-      viewer.pins.show(note.marks ?? [], note.question ? '?' : '');
+      viewer.pins.show(note.marks ?? [], note.question ? '?' : '', note.arrows ?? []);
       this.lookFrom(note);
     } finally {
       viewer.led = false;

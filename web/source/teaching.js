@@ -59,6 +59,7 @@ export class Teaching {
   open(lesson, index) {
     const {viewer} = this;
     this.lesson = lesson;
+    this.card?.close();
     this.card = new LessonCard(viewer, lesson, {
       leave: () => this.close(),
       handout: this.file && lesson.kind === 'lesson' ? () => this.openHandout() : null,
@@ -99,6 +100,7 @@ export class Teaching {
   again() { if (this.lesson?.note) this.staging.show(this.lesson.note); else this.viewer.leave(); }
 
   openHandout() {
+    this.card?.narration.turn(false);
     tell({handout: ''});
     this.handout.open(this.file);
   }
@@ -106,7 +108,7 @@ export class Teaching {
   close() {
     if (this.viewer.inside) this.viewer.leave();
     this.lesson = null;
-    document.getElementById('lesson').hidden = true;
+    this.card.close();
     document.getElementById('learn')?.removeAttribute('hidden');
     document.body.classList.remove('teaching');
     this.viewer.labels.muted = false;

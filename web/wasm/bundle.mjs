@@ -3,7 +3,7 @@
 // WORK holds node_modules and page.html (as web/build_page.cmake leaves them), ENGINE odontoscope.mjs, odontoscope.wasm and decoder.wasm; THREADS the engine for
 // several threads, odontoscope.js, .worker.js and .wasm; DIST takes studio.html, isolated/ (the same for servers that isolate pages) and npm/.
 import {createHash} from 'node:crypto';
-import {cpSync, mkdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {dirname, join} from 'node:path';
 import {fileURLToPath} from 'node:url';
@@ -41,12 +41,21 @@ function makePackage() {
   writeFileSync(join(to, 'package.json'), `${JSON.stringify({...description, version}, null, 2)}\n`);
 }
 
+/// By a language's tag and by cause: the rule, and what to do.
+function wordsForErrors() {
+  const folder = join(here, '../../assets/languages'), files = readdirSync(folder).filter(name => name.endsWith('.json')).sort().map(name => JSON.parse(readFileSync(join(folder, name), 'utf8')));
+  return Object.fromEntries(files.map(({language, errors = []}) => [language, Object.fromEntries(errors.map(([cause, ...sentences]) => [cause, sentences]))]));
+}
+
 async function bundled(entry) {
   const made = await build({
     stdin: {contents: `import ${JSON.stringify(`./studio/${entry}`)};`, resolveDir: here},
     bundle: true, minify: true, write: false, format: 'iife', target: 'es2022', charset: 'ascii', legalComments: 'none', logLevel: 'error',
     external: ['node:*'], define: {'import.meta.url': '"about:blank"'},
-    plugins: [{name: 'engine', setup: one => one.onResolve({filter: /\/odontoscope\.mjs$/}, () => ({path: join(engine, 'odontoscope.mjs')}))}],
+    plugins: [{name: 'engine', setup: one => one.onResolve({filter: /\/odontoscope\.mjs$/}, () => ({path: join(engine, 'odontoscope.mjs')}))}, {name: 'errors', setup: one => {
+      one.onResolve({filter: /^odontoscope:errors$/}, ({path}) => ({path, namespace: 'errors'}));
+      one.onLoad({filter: /.*/, namespace: 'errors'}, () => ({contents: `export const errors = ${JSON.stringify(wordsForErrors())};`, loader: 'js'}));
+    }}],
   });
   const text = made.outputFiles[0].text.trim();
   if (/<\/script|<!--/.test(text)) throw new Error(`${entry} would end its element`);

@@ -12,6 +12,7 @@
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
 #include "engine/viewer/compare/comparison_run.h"
+#include "engine/viewer/trouble.h"
 #include "recon/core/grouped.h"
 
 namespace odontoscope {
@@ -100,9 +101,8 @@ void progress_line(const ComparisonState& compared, const Interface& interface) 
   ImGui::Dummy({width, height});  // its room is kept, so that nothing jumps
   if (compared.trouble.empty()) return;
   ImGui::PushStyleColor(ImGuiCol_Text, theme::bad);
-  widgets::wrapped(compared.trouble);
+  draw_trouble(interface, compared.trouble);
   ImGui::PopStyleColor();
-  (void)interface;
 }
 
 /// A line of words on a dark ground; returns its height.

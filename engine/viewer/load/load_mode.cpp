@@ -135,7 +135,7 @@ void LoadMode::trouble_dialog() {
   ImGui::PushStyleColor(ImGuiCol_Text, theme::bad);
   dialog_title(at_.interface, "That did not work");
   ImGui::PopStyleColor();
-  widgets::wrapped(state_.trouble);
+  draw_trouble(at_.interface, state_.trouble);
   ImGui::Dummy({0, scaled(2)});
   if (widgets::wide_button("Close")) state_.trouble.clear();
 }

@@ -21,7 +21,7 @@ constexpr std::array levels = {0.72, 0.3, 0.62,
                                0.5,  0.2, 0.85};        // how high each structure's place lies, in its own height
 constexpr double level_spread = 0.12, near_cut = 0.04;  // of the structure's, of the model's height
 constexpr float opaque = 0.95f;
-constexpr double told_width = 300, gap = 90, edge = 14, row = 32;  // interface pixels
+constexpr double told_width = 300, label_gap = 90, label_edge = 14, label_row = 32;  // interface pixels
 constexpr double compass_width = 170, compass_height = 190;
 
 bool of_cavity(const ModelPart& part, const Scene& usual) {
@@ -125,14 +125,15 @@ std::vector<DrawnName> drawn_names(const StructureNames& names, const ViewerStat
     const ImVec2 extent = interface.bold->CalcTextSizeA(
         interface.bold->FontSize, 1e9f, 0, interface.say(words_for(names.places[name.which].structure)).c_str());
     const double width = extent.x + 20 * scale, height = extent.y + 10 * scale,
-                 left_end = pane.area.left + edge * scale, right_end = pane.area.left + pane.area.width - edge * scale;
-    const double x = right ? std::min(name.place.x + gap * scale, right_end - width)
-                           : std::max(name.place.x - gap * scale - width, left_end);
-    double least = pane.area.top + edge * scale;
+                 left_end = pane.area.left + label_edge * scale,
+                 right_end = pane.area.left + pane.area.width - label_edge * scale;
+    const double x = right ? std::min(name.place.x + label_gap * scale, right_end - width)
+                           : std::max(name.place.x - label_gap * scale - width, left_end);
+    double least = pane.area.top + label_edge * scale;
     if (x + width > right_end - compass_width * scale) least += compass_height * scale;
     const double y = std::max({name.place.y - 24 * scale, least, free_from[right]});
     name.box = {x, std::min(y, pane.area.top + pane.area.height - height - 60 * scale), width, height};
-    free_from[right] = name.box.top + row * scale;
+    free_from[right] = name.box.top + label_row * scale;
   }
   return drawn;
 }

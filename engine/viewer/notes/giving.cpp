@@ -35,7 +35,10 @@ void NotesMode::go_to_note(std::size_t number) {
   at_.modes.get<MeasureMode>().lay_down_tool();
   lesson_.enter(notes_);
   const LessonNote note = notes_.lesson.notes[number];
-  if (!note.tour.empty() && ride_for_note(note)) return;
+  if (note.tour.empty() || !ride_for_note(note)) show_view_of(note);
+}
+
+void NotesMode::show_view_of(const LessonNote& note) {
   if (note.inside)
     show_inside(note);
   else

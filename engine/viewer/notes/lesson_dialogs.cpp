@@ -106,6 +106,10 @@ void note_part(const NotesState& notes, ViewerState& state, LessonPlayer& lesson
   const bool last = *notes.shown + 1 == notes.lesson.notes.size();
   large(interface, fmt::format("{} / {}   {}", *notes.shown + 1, notes.lesson.notes.size(), note.title));
   if (!note.text.empty()) widgets::as_written(note.text);
+  if (!note.narration.empty()) {
+    widgets::toggle("Narration", lesson.narration_open);
+    if (lesson.narration_open) widgets::as_written(note.narration);
+  }
   const QuizRow* row = lesson.row(notes);
   if (row && note.question) question_part(notes, lesson, interface, *note.question, *row);
   ImGui::Dummy({0, scaled(1)});

@@ -61,6 +61,8 @@ class LessonPlayer {
 
   // Asked for, done in the next frame.
   bool pick_middle = false, save_marks = false;
+  /// What is said beyond a note's text is unfolded.
+  bool narration_open = false;
   /// How high the dock was when it was drawn last, in pixels.
   double dock_height = 0;
 

@@ -10,7 +10,9 @@ Lesson translated(Lesson lesson, const Language& language) {
   for (LessonNote& note : lesson.notes) {
     say(note.title);
     say(note.text);
+    say(note.narration);
     for (LessonPin& mark : note.marks) say(mark.label);
+    for (LessonArrow& arrow : note.arrows) say(arrow.label);
     if (!note.question) continue;
     for (std::string* words : {&note.question->ask, &note.question->explain, &note.question->unit}) say(*words);
     for (std::string& choice : note.question->choices) say(choice);

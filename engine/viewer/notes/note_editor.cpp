@@ -50,7 +50,51 @@ void pins(NotesState& notes) {
       break;
     }
   }
-  if (draft.marks.size() < most_marks && widgets::wide_button("Place a pin")) notes.placing = NotesState::Placing::pin;
+}
+
+void arrows(NotesState& notes) {
+  LessonNote& draft = *notes.draft;
+  for (std::size_t i = 0; i < draft.arrows.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i) + 1000);
+    line_field("##arrow", draft.arrows[i].label, most_title_bytes, ImGui::GetContentRegionAvail().x - scaled(150),
+               "no label: a bare arrow");
+    ImGui::SameLine();
+    if (widgets::button("Redraw")) {
+      notes.redrawn = i;
+      notes.placing = NotesState::Placing::arrow_tail;
+    }
+    ImGui::SameLine();
+    const bool gone = widgets::button("Remove");
+    ImGui::PopID();
+    if (gone) {
+      draft.arrows.erase(draft.arrows.begin() + static_cast<std::ptrdiff_t>(i));
+      break;
+    }
+  }
+}
+
+void place_buttons(NotesState& notes) {
+  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  ImGui::BeginDisabled(notes.draft->marks.size() >= most_marks);
+  if (widgets::button("Place a pin", {width, 0})) notes.placing = NotesState::Placing::pin;
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  ImGui::BeginDisabled(notes.draft->arrows.size() >= most_arrows);
+  if (widgets::button("Draw an arrow", {width, 0})) notes.placing = NotesState::Placing::arrow_tail;
+  ImGui::EndDisabled();
+}
+
+const char* placing_in_words(NotesState::Placing placing) {
+  switch (placing) {
+    case NotesState::Placing::pin:
+      return "Click where the pin goes.";
+    case NotesState::Placing::arrow_tail:
+      return "Click where the arrow begins: beside the place that it points at.";
+    case NotesState::Placing::arrow_head:
+      return "Click what the arrow points at.";
+    default:
+      return "Click what is right.";
+  }
 }
 
 void click_fields(NotesState& notes, LessonQuestion& question) {
@@ -113,10 +157,10 @@ void ride_toggle(LessonNote& draft, const std::string& canal) {
 
 void placing_part(NotesState& notes, const Interface& interface) {
   ImGui::PushFont(interface.bold);
-  widgets::wrapped(notes.placing == NotesState::Placing::pin ? "Click where the pin goes." : "Click what is right.");
+  widgets::wrapped(placing_in_words(notes.placing));
   ImGui::PopFont();
   widgets::remark(interface, "The tooth can be turned meanwhile. Enter takes the place at the cross.");
-  if (widgets::button("Cancel (Esc)")) notes.placing = NotesState::Placing::none;
+  if (widgets::button("Cancel (Esc)")) stop_placing(notes);
 }
 
 }  // namespace
@@ -139,9 +183,14 @@ void note_editor(NotesState& notes, const std::string& canal, const Interface& i
   const bool entered = line_field("##title", draft.title, most_title_bytes);
   widgets::text("What is there to see?");
   widgets::text_field("##text");
-  ImGui::InputTextMultiline("##text", &draft.text, {-1, scaled(90)});
+  ImGui::InputTextMultiline("##text", &draft.text, {-1, scaled(74)});
   widgets::noted("##text");
   if (draft.text.size() > most_text_bytes) draft.text.resize(most_text_bytes);
+  widgets::text("Narration, to be read or spoken (may be left out)");
+  widgets::text_field("##narration");
+  ImGui::InputTextMultiline("##narration", &draft.narration, {-1, scaled(52)});
+  widgets::noted("##narration");
+  if (draft.narration.size() > most_text_bytes) draft.narration.resize(most_text_bytes);
   ride_toggle(*notes.draft, canal);
   if (notes.draft_of && widgets::wide_button("Take the view as it is now")) notes.retake = true;
   const std::string fault = fault_of_draft(draft);
@@ -153,8 +202,10 @@ void note_editor(NotesState& notes, const std::string& canal, const Interface& i
   ImGui::SameLine();
   const bool cancel = widgets::button("Cancel (Esc)", {width, 0});
   ImGui::NextColumn();
-  widgets::text("Pins");
+  widgets::text("Pins and arrows");
   pins(notes);
+  arrows(notes);
+  place_buttons(notes);
   widgets::text("Question");
   question_fields(notes);
   ImGui::Columns(1);

@@ -64,6 +64,7 @@ void NotesMode::save_notes() {
     written.write(text);
     written.commit();
     notes_.unsaved = false;
+    notes_.saved = notes_.lesson;
     notice(fmt::format("Saved {}. Drop it on the window, or odontoscope view it.", file.string()));
   } catch (const Error& error) {
     state_.trouble = error.what();
@@ -103,6 +104,8 @@ bool NotesMode::open_lesson(LoadRequest& request) {
 void NotesMode::take_lesson(Lesson lesson) {
   notes_ = {};
   notes_.lesson = std::move(lesson);
+  notes_.saved = notes_.lesson;
+  history_ = {};
   lesson_.leave();
   go_to_note(0);
 }

@@ -13,6 +13,7 @@
 #include "engine/viewer/names/names_mode.h"
 #include "engine/viewer/notes/lesson_dialogs.h"
 #include "engine/viewer/notes/notes_panel.h"
+#include "engine/viewer/notes/pins.h"
 #include "engine/viewer/workspace.h"
 #include "recon/core/lower_case.h"
 
@@ -22,6 +23,7 @@ void NotesMode::loaded(const LoadRequest&) {
   if (notes_.at_risk() && !may_go_) save_notes();  // written while it loaded: nobody was asked
   may_go_ = false;
   notes_ = {};
+  history_ = {};
   lesson_.leave();
   if (auto lesson = std::exchange(to_give_, std::nullopt)) take_lesson(std::move(*lesson));
 }
@@ -63,6 +65,9 @@ void NotesMode::answer_leaving() {
 }
 
 void NotesMode::take_requests() {
+  history_.watch(notes_, at_.interface.wants_text());
+  if (std::exchange(notes_.undo, false)) undo(false);
+  if (std::exchange(notes_.redo, false)) undo(true);
   if (std::exchange(notes_.write, false)) write_note();
   if (std::exchange(notes_.retake, false) && notes_.draft) {
     const LessonNote now = view_now();
@@ -92,6 +97,10 @@ bool NotesMode::perform(Action action) {
     lesson_.toggle_menu();
     return true;
   }
+  if (action == Action::undo || action == Action::redo) {
+    undo(action == Action::redo);
+    return true;
+  }
   if (!notes_.shown) return false;
   if (action == Action::next_step && lesson_.step(1, notes_)) return true;
   if (action == Action::previous_step && lesson_.step(-1, notes_)) return true;
@@ -104,6 +113,33 @@ bool NotesMode::perform(Action action) {
     return true;
   }
   return false;
+}
+
+/// The change before is taken back, or the one that was taken back is made again.
+void NotesMode::undo(bool again) {
+  history_.watch(notes_, false);
+  const std::vector<LessonNote> before = notes_.lesson.notes;
+  const std::optional<LessonNote> draft_before = notes_.draft;
+  const auto what = again ? history_.redo(notes_) : history_.undo(notes_);
+  if (what)
+    notice(again ? fmt::format("Done again: {}.", *what) : fmt::format("Undone: {}.", *what));
+  else
+    notice(again ? "There is nothing to do again." : "There is nothing to undo.");
+  if (what) show_change(before, draft_before);
+}
+
+/// Leads to what was changed.
+void NotesMode::show_change(const std::vector<LessonNote>& before, const std::optional<LessonNote>& draft_before) {
+  const auto& notes = notes_.lesson.notes;
+  if (notes_.shown && *notes_.shown >= notes.size()) notes_.shown.reset();
+  if (notes_.draft) {
+    const LessonNote& draft = *notes_.draft;
+    if (draft_before && (draft_before->camera != draft.camera || draft_before->scene != draft.scene))
+      show_view_of(draft);
+    return;
+  }
+  const auto [now, then] = std::mismatch(notes.begin(), notes.end(), before.begin(), before.end());
+  if (now != notes.end()) notes_.go_to = static_cast<std::size_t>(now - notes.begin());
 }
 
 void NotesMode::write_note() {
@@ -140,16 +176,33 @@ bool NotesMode::handle(const Event& event) {
   return false;
 }
 
-/// What a click here means for the lesson: a pin or an answer for the draft, or an answer to the question. true: it was
-/// for the lesson.
+/// The first click begins it, the second ends it.
+bool NotesMode::draw_arrow_at(const ViewPane& pane, double x, double y) {
+  const auto hit = at_.hit_at(pane, x, y);
+  if (notes_.placing == NotesState::Placing::arrow_tail) {
+    notes_.tail = ArrowTail{pane.camera, place_in(pane.area, x, y)};
+    if (hit) notes_.tail->surface = hit->point_mm;
+    notes_.placing = NotesState::Placing::arrow_head;
+    return true;
+  }
+  if (!hit) return false;
+  if (!end_arrow(notes_, hit->point_mm)) notice("An arrow ends at another place than it begins.");
+  return true;
+}
+
+/// What a click here means for the lesson: a pin, an arrow or an answer for the draft, or an answer to the question.
+/// true: it was for the lesson.
 bool NotesMode::point_at(const ViewPane& pane, double x, double y) {
   const bool placing = notes_.draft && this->placing();
   if (!placing && !lesson_.wants_click(notes_)) return false;
-  const auto clicked = pointed_at(pane, x, y);
+  const bool arrow =
+      notes_.placing == NotesState::Placing::arrow_tail || notes_.placing == NotesState::Placing::arrow_head;
+  if (placing && arrow && draw_arrow_at(pane, x, y)) return true;
+  const auto clicked = arrow ? std::nullopt : pointed_at(pane, x, y);
   if (placing && notes_.placing == NotesState::Placing::pin) {
     if (const auto hit = at_.hit_at(pane, x, y)) {
       notes_.draft->marks.push_back({hit->point_mm, ""});
-      notes_.placing = NotesState::Placing::none;
+      stop_placing(notes_);
       return true;
     }
   } else if (clicked && placing) {
@@ -157,7 +210,7 @@ bool NotesMode::point_at(const ViewPane& pane, double x, double y) {
       notes_.draft->question->structure = clicked->structure;
       notes_.draft->question->part = clicked->part;
     }
-    notes_.placing = NotesState::Placing::none;
+    stop_placing(notes_);
     return true;
   } else if (clicked) {
     lesson_.answer(notes_, *clicked);
@@ -214,7 +267,7 @@ bool NotesMode::put_away(PutAway what) {
   if (lesson_.menu())
     lesson_.close_menu();
   else if (placing())
-    notes_.placing = NotesState::Placing::none;
+    stop_placing(notes_);
   else if (notes_.draft)
     drop_draft(notes_);
   else if (notes_.shown)
@@ -230,18 +283,21 @@ bool NotesMode::answer() {
   return true;
 }
 
-/// Neither names nor the section's handle: not while they would answer a question, and not over a lesson's own pins.
+/// Neither names nor the section's handle: not while they would answer a question, and not over a lesson's own pins and
+/// arrows.
 ModeEffects NotesMode::effects() const {
-  const auto* pins = notes_.pins();
-  const bool clear = !lesson_.asked(notes_) && !(pins && !pins->empty());
+  const LessonNote* note = notes_.seen();
+  const bool clear = !lesson_.asked(notes_) && !(note && (!note->marks.empty() || !note->arrows.empty()));
   return {.names = clear, .section_handle = clear, .first_hints = !notes_.shown && !notes_.draft};
 }
 
 void NotesMode::draw(DrawLayer layer, const DrawnPane& drawn) {
   if (layer == DrawLayer::marks && drawn.first) {
-    const auto* pins = drawn.pane.db ? nullptr : notes_.pins();
+    const LessonNote* note = drawn.pane.db ? nullptr : notes_.seen();
     const PinsSeenFrom from{at_.modes.effects().from_outside, at_.modes.get<FlyMode>().inside()};
-    if (pins) draw_pins(*pins, state_, from, drawn.pane, at_.interface, at_.layout.scale);
+    if (note) draw_arrows(note->arrows, state_, from, drawn.pane, at_.interface, at_.layout.scale);
+    if (note) draw_pins(note->marks, state_, from, drawn.pane, at_.interface, at_.layout.scale);
+    if (notes_.tail) draw_begun_arrow(*notes_.tail, drawn.pane, {at_.pointing.x, at_.pointing.y}, at_.layout.scale);
     if (pointing()) draw_cross(drawn.pane.area, at_.layout.scale);  // that Enter takes
   }
   if (layer == DrawLayer::windows && state_.shown) draw_dock();
@@ -279,7 +335,7 @@ std::vector<PanelSection> NotesMode::panel() {
   const auto lessons = [this] {
     if (widgets::wide_button("Lessons (G)", true)) state_.pending_actions.push_back(Action::toggle_lessons);
   };
-  const auto notes = [this] { notes_section(notes_, at_.modes.effects().from_outside, at_.interface); };
+  const auto notes = [this] { notes_section(notes_, history_, at_.modes.effects().from_outside, at_.interface); };
   return {{SectionPlace::lessons, lessons}, {SectionPlace::notes, notes, true}};
 }
 

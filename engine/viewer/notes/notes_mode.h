@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/viewer/mode.h"
+#include "engine/viewer/notes/lesson_history.h"
 #include "engine/viewer/notes/lesson_player.h"
 #include "engine/viewer/notes/notes_state.h"
 
@@ -42,11 +43,14 @@ class NotesMode final : public Mode {
 
  private:
   void write_note();
+  void undo(bool again);
+  void show_change(const std::vector<LessonNote>& before, const std::optional<LessonNote>& draft_before);
   LessonNote view_now();
   void answer_leaving();
   bool placing() const { return notes_.placing != NotesState::Placing::none; }
   bool pointing() const { return placing() || lesson_.wants_click(notes_); }
   bool point_at(const ViewPane& pane, double x, double y);
+  bool draw_arrow_at(const ViewPane& pane, double x, double y);
   void point_at_middle();
   std::optional<PointedAt> pointed_at(const ViewPane& pane, double x, double y) const;
   void draw_dock();
@@ -60,11 +64,13 @@ class NotesMode final : public Mode {
   // giving.cpp
   void go_to_note(std::size_t number);
   bool ride_for_note(const LessonNote& note);
+  void show_view_of(const LessonNote& note);
   void show_inside(const LessonNote& note);
   void show_outside(const LessonNote& note);
 
   NotesState notes_;
   LessonPlayer lesson_;
+  LessonHistory history_;
   std::optional<Lesson> to_give_;  // once its model is there
   bool may_go_ = false;            // the person said so of those that are there
 };

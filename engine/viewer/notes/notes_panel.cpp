@@ -29,9 +29,21 @@ void note_buttons(NotesState& notes, std::size_t number) {
   if (widgets::button("Delete", {width, 0})) remove_note(notes, number);
 }
 
+void undo_buttons(NotesState& notes, const LessonHistory& history) {
+  if (!history.can_undo() && !history.can_redo()) return;
+  const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+  ImGui::BeginDisabled(!history.can_undo());
+  if (widgets::button("Undo", {width, 0})) notes.undo = true;
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!history.can_redo());
+  if (widgets::button("Redo", {width, 0})) notes.redo = true;
+  ImGui::EndDisabled();
+}
+
 }  // namespace
 
-void notes_section(NotesState& notes, bool from_outside, const Interface& interface) {
+void notes_section(NotesState& notes, const LessonHistory& history, bool from_outside, const Interface& interface) {
   if (!widgets::section(interface, "Notes", !notes.lesson.notes.empty())) return;
   if (!notes.lesson.notes.empty() && !notes.shown && widgets::wide_button("Play as a lesson", true)) notes.go_to = 0;
   const std::optional<std::size_t> shown = notes.shown;  // what is pressed here counts in the next frame
@@ -45,9 +57,7 @@ void notes_section(NotesState& notes, bool from_outside, const Interface& interf
     if (shown == i && !notes.draft) note_buttons(notes, i);
     ImGui::PopID();
   }
-  if (!notes.removed.empty() &&
-      widgets::wide_button(fmt::format("Bring back \"{}\"", notes.removed.back().second.title).c_str()))
-    bring_back_note(notes);
+  undo_buttons(notes, history);
   if (widgets::wide_button(from_outside ? "Note this view" : "Note this view (N)")) notes.write = true;
   if (notes.lesson.notes.empty()) {
     widgets::remark(interface,

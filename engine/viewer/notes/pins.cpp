@@ -1,4 +1,6 @@
-// Pins in the picture, and the cross in its middle.
+// Pins in the picture.
+
+#include "engine/viewer/notes/pins.h"
 
 #include <imgui.h>
 
@@ -10,7 +12,6 @@
 #include "engine/navigate/screen.h"
 #include "engine/ui/drawing.h"
 #include "engine/ui/theme.h"
-#include "engine/viewer/notes/lesson_dialogs.h"
 
 namespace odontoscope {
 
@@ -19,26 +20,6 @@ namespace {
 constexpr double wall_slack_mm = 0.3, opaque_slack_mm = 1.5;  // a pin may stand in the middle of a canal
 constexpr float hides = 0.9f;
 
-enum class PinSeen { plain, behind, hidden };
-
-PinSeen seen(const ViewerState& state, const PinsSeenFrom& from, const ViewPane& pane, const glm::dvec3& at) {
-  const glm::dvec3 eye = pane.camera.position, way = at - eye;
-  const double distance = glm::length(way);
-  if (distance < 1e-9) return PinSeen::hidden;
-  if (!from.outside) {
-    if (!from.cavity) return PinSeen::plain;
-    const Walls& walls = from.cavity->walls;
-    return walls.free_distance(eye, way / distance, distance) < distance - wall_slack_mm ? PinSeen::hidden
-                                                                                         : PinSeen::plain;
-  }
-  const auto place = place_of(pane.camera, at);
-  if (!place) return PinSeen::hidden;
-  const SightLine sight = sight_line(pane.camera, *place);
-  const auto hit = pick(*state.shown->pickable, state.scene, {sight.origin, sight.direction}, {.least_opacity = hides});
-  return hit && hit->distance_mm < glm::dot(at - sight.origin, sight.direction) - opaque_slack_mm ? PinSeen::behind
-                                                                                                  : PinSeen::plain;
-}
-
 struct DrawnPin {
   ImVec2 at, corner, size;
   const char* label;
@@ -46,6 +27,24 @@ struct DrawnPin {
 };
 
 }  // namespace
+
+PlaceSeen seen_place(const ViewerState& state, const PinsSeenFrom& from, const ViewPane& pane, const glm::dvec3& at) {
+  const glm::dvec3 eye = pane.camera.position, way = at - eye;
+  const double distance = glm::length(way);
+  if (distance < 1e-9) return PlaceSeen::hidden;
+  if (!from.outside) {
+    if (!from.cavity) return PlaceSeen::plain;
+    const Walls& walls = from.cavity->walls;
+    return walls.free_distance(eye, way / distance, distance) < distance - wall_slack_mm ? PlaceSeen::hidden
+                                                                                         : PlaceSeen::plain;
+  }
+  const auto place = place_of(pane.camera, at);
+  if (!place) return PlaceSeen::hidden;
+  const SightLine sight = sight_line(pane.camera, *place);
+  const auto hit = pick(*state.shown->pickable, state.scene, {sight.origin, sight.direction}, {.least_opacity = hides});
+  return hit && hit->distance_mm < glm::dot(at - sight.origin, sight.direction) - opaque_slack_mm ? PlaceSeen::behind
+                                                                                                  : PlaceSeen::plain;
+}
 
 void draw_pins(const std::vector<LessonPin>& marks, const ViewerState& state, const PinsSeenFrom& from,
                const ViewPane& pane, const Interface& interface, float scale) {
@@ -57,8 +56,8 @@ void draw_pins(const std::vector<LessonPin>& marks, const ViewerState& state, co
   std::vector<DrawnPin> pins;
   for (const LessonPin& mark : marks) {
     const auto place = place_of(pane.camera, mark.at);
-    const PinSeen how = place ? seen(state, from, pane, mark.at) : PinSeen::hidden;
-    if (how == PinSeen::hidden) continue;
+    const PlaceSeen how = place ? seen_place(state, from, pane, mark.at) : PlaceSeen::hidden;
+    if (how == PlaceSeen::hidden) continue;
     const ImVec2 at = vec(pixel_of(pane.area, *place));
     const ImVec2 text = font->CalcTextSizeA(font->FontSize, 1e9f, 0, mark.label.c_str()),
                  size(text.x + 16 * scale, text.y + 10 * scale);
@@ -67,7 +66,7 @@ void draw_pins(const std::vector<LessonPin>& marks, const ViewerState& state, co
     const float gap = 46 * scale, wanted = right ? at.x + gap : at.x - gap - size.x;
     const ImVec2 corner(std::clamp(wanted, low.x + 6 * scale, std::max(low.x + 6 * scale, high.x - size.x - 6 * scale)),
                         at.y - size.y - 12 * scale);
-    pins.push_back({at, corner, size, mark.label.c_str(), how == PinSeen::behind});
+    pins.push_back({at, corner, size, mark.label.c_str(), how == PlaceSeen::behind});
   }
   // Labels one under another rather than one on another.
   std::stable_sort(pins.begin(), pins.end(),

@@ -1,6 +1,7 @@
 // The page begins here: files in, the engine's words and models out.
 import {element} from '../../source/dom.js';
 import {Cancelled, Engine} from './engine.js';
+import {explained} from './errors.js';
 import {chosen, contentsOf, dropped, mainOf} from './files.js';
 
 const at = id => document.getElementById(id);
@@ -28,7 +29,8 @@ function chosenOptions() {
 
 function say(failure) {
   at('failure').hidden = !failure;
-  at('failure').textContent = failure ?? '';
+  const told = failure ? explained(failure) : null;
+  at('failure').replaceChildren(...(told ? [element('span', {lang: told.language}, `${told.sentences.join(' ')}\n`)] : []), failure ?? '');
 }
 
 function showWork(on) {
