@@ -189,6 +189,13 @@ TEST_F(HeadsetTour, NamesOfCanalsAreSeenButNotThroughWalls) {
   EXPECT_TRUE(written().empty());
   visit.chosen.on_wall = WallNumber::depth;
   for (const std::string& words : written()) EXPECT_TRUE(words.ends_with(" mm")) << words;
+  EXPECT_TRUE(scene_of(visit, world).wall_depth);
+  visit.chosen.on_wall = WallNumber::thickness;
+  EXPECT_TRUE(scene_of(visit, world).wall_thickness);
+  EXPECT_FALSE(scene_of(visit, world).wall_depth);
+  visit.cavity.reset();
+  EXPECT_FALSE(scene_of(visit, world).wall_thickness) << "outside the panel has a switch of its own";
+  visit.cavity = 0;
   visit.chosen.on_wall = WallNumber::none;
   visit.chosen.labels = true;
   // In one canal, far from the chamber, another one's names are gone.
