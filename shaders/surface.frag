@@ -31,7 +31,7 @@ uniform vec3 back_colour;        // of triangles seen from behind
 uniform float least_back_opacity;
 uniform vec4 section;            // cut away where dot(section.xyz, position) > section.w
 uniform int parallel;
-uniform int show_depth;          // 1: the wall carries its depth
+uniform int show_depth;          // not 0: the wall tells its depth or thickness
 uniform float normal_sign;       // -1 for a surface that is shown inside out
 #ifdef PEEL
 uniform sampler2D layer_before;

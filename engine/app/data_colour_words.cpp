@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/picture/lettering.h"
+#include "engine/scene/wall_colours.h"
 #include "engine/ui/fonts.h"
 #include "recon/formats/shell_groups.h"
 
@@ -63,6 +64,33 @@ void fill(Image& image, int left, int top, int right, int bottom, const std::arr
       image.set_pixel(x, y, {colour[0], colour[1], colour[2], 255});
 }
 
+/// Under a legend's bar: `part` of the way from left to right.
+struct LegendNumber {
+  double part;
+  std::string words;
+};
+
+/// At the lower left, on paper of its own.
+template <class BarOf>
+void draw_bar(const std::string& title, const std::vector<LegendNumber>& numbers, BarOf bar_of, Image& image) {
+  constexpr ShownColour paper{255, 255, 255}, ink{30, 34, 40};
+  const int letters = std::max(10, image.height / 36), gap = std::max(2, letters / 3),
+            bar = std::min(std::max(160, image.width / 3), image.width - 6 * gap), tall = std::max(6, letters * 2 / 3);
+  const Lettering lettering(regular_font(), letters);
+  const int left = 2 * gap, bottom = image.height - 2 * gap, top = bottom - 2 * letters - tall - 4 * gap;
+  fill(image, left - gap, top, left + bar + gap, bottom, paper);
+  lettering.draw(image, title, left, top + gap, ink);
+  const int bar_top = top + 2 * gap + letters;
+  const std::vector<ShownColour> colours = bar_of(bar);
+  for (int x = 0; x < bar; ++x)
+    fill(image, left + x, bar_top, left + x + 1, bar_top + tall, colours[static_cast<std::size_t>(x)]);
+  for (const auto& [part, words] : numbers) {
+    const double wide = lettering.width(words), middle = left + part * bar;
+    lettering.draw(image, words, std::clamp(middle - 0.5 * wide, static_cast<double>(left), left + bar - wide),
+                   bar_top + tall + gap, ink);
+  }
+}
+
 }  // namespace
 
 void add_colour_by_option(CLI::App& parser, std::string& words) {
@@ -99,28 +127,31 @@ void colour_by_data(const std::string& words, const std::vector<std::string>& op
 }
 
 void draw_legend(const DataColours& colours, Image& image) {
-  constexpr std::array<std::uint8_t, 3> paper{255, 255, 255}, ink{30, 34, 40};
-  const int letters = std::max(10, image.height / 36), gap = std::max(2, letters / 3),
-            bar = std::min(std::max(160, image.width / 3), image.width - 6 * gap), tall = std::max(6, letters * 2 / 3);
-  const Lettering lettering(regular_font(), letters);
   const bool distance = colours.of == DataColours::Of::distance;
   const std::string title = distance ? "From the CT's surface, mm" : "Slope of the CT, values/mm";
-  const std::array<std::string, 3> numbers =
-      distance ? std::array{fmt::format("\u2212{:.3g}", colours.reach), std::string("0"),
-                            fmt::format("+{:.3g}", colours.reach)}
-               : std::array{std::string("0"), fmt::format("{:.3g}", 0.5 * colours.reach),
-                            fmt::format("{:.3g}", colours.reach)};
-  const int left = 2 * gap, bottom = image.height - 2 * gap, top = bottom - 2 * letters - tall - 4 * gap;
-  fill(image, left - gap, top, left + bar + gap, bottom, paper);
-  lettering.draw(image, title, left, top + gap, ink);
-  const int bar_top = top + 2 * gap + letters;
-  for (int x = 0; x < bar; ++x)
-    fill(image, left + x, bar_top, left + x + 1, bar_top + tall, colour_at(colours, (x + 0.5) / bar));
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const double wide = lettering.width(numbers[i]), middle = left + 0.5 * static_cast<double>(i) * bar;
-    lettering.draw(image, numbers[i], std::clamp(middle - 0.5 * wide, static_cast<double>(left), left + bar - wide),
-                   bar_top + tall + gap, ink);
-  }
+  const std::vector<LegendNumber> numbers =
+      distance
+          ? std::vector<LegendNumber>{{0, fmt::format("\u2212{:.3g}", colours.reach)},
+                                      {0.5, "0"},
+                                      {1, fmt::format("+{:.3g}", colours.reach)}}
+          : std::vector<LegendNumber>{
+                {0, "0"}, {0.5, fmt::format("{:.3g}", 0.5 * colours.reach)}, {1, fmt::format("{:.3g}", colours.reach)}};
+  draw_bar(
+      title, numbers,
+      [&](int width) {
+        std::vector<ShownColour> bar;
+        for (int x = 0; x < width; ++x) bar.push_back(colour_at(colours, (x + 0.5) / width));
+        return bar;
+      },
+      image);
+}
+
+void draw_thickness_legend(const Colour& own, const odontoscope::Model& model, Image& image) {
+  const auto [bold, twice, thickest] = thickness_marks_mm(model);
+  std::vector<LegendNumber> numbers;
+  for (const double mm : {0.0, bold, twice, thickest}) numbers.push_back({mm / thickest, fmt::format("{:g}", mm)});
+  draw_bar(
+      "Thickness of the wall, mm", numbers, [&](int width) { return thickness_bar(own, width); }, image);
 }
 
 }  // namespace odontoscope::app

@@ -27,4 +27,7 @@ void colour_by_data(const std::string& words, const std::vector<std::string>& op
 /// A bar of the colours with its numbers and unit, in the picture's lower left corner.
 void draw_legend(const DataColours& colours, Image& image);
 
+/// The same of walls that tell how thick they are, `own` being the colour of those that are thick.
+void draw_thickness_legend(const Colour& own, const odontoscope::Model& model, Image& image);
+
 }  // namespace odontoscope::app

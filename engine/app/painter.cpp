@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/app/data_colour_words.h"
+#include "engine/scene/wall_colours.h"
 
 namespace odontoscope::app {
 
@@ -31,6 +32,7 @@ Image Painter::draw(const Scene& scene, std::size_t number, std::size_t count) {
   Image image = picture_of(gl_, renderer_, gpu_model_, shown_.model, scene, picture_, &overlay_,
                            ct_ ? &values_ : nullptr, volume_ ? &*volume_ : nullptr);
   if (scene.data_colours) draw_legend(*scene.data_colours, image);
+  if (const auto own = telling_thickness(scene, shown_.model)) draw_thickness_legend(*own, shown_.model, image);
   return image;
 }
 

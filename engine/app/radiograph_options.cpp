@@ -351,7 +351,7 @@ void refuse_words_about_pictures(const SceneWords& scene, const VolumeLookWords&
   const bool looks = !look.show.empty() || !look.cast.empty() || !look.transfer.empty() || !look.slopes.empty() ||
                      !scene.opacity.empty() || !scene.colour.empty() || !scene.section.empty() || !scene.cap.empty() ||
                      !scene.back_faces.empty() || !scene.background.empty() || !scene.overlays.empty() ||
-                     scene.occlusion || scene.wire || scene.wall_depth;
+                     scene.occlusion || scene.wire || scene.wall_depth || scene.wall_thickness;
   if (looks || !scene.scene_file.empty() || !scene.camera_file.empty() || scene.parallel || scene.zoom != 1)
     throw UsageError(
         "a radiograph shows shadows: of the options under Looking and Showing only --view and --hide are about it",

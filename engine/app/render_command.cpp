@@ -291,7 +291,7 @@ ExitCode render(const RenderArguments& as_typed, Session& session) {
   tell_cap(options, shown, scene, session.console);
   std::optional<Film> film;
   if (on_tour(options)) film.emplace(film_of(shown, options.tour, session));
-  if (scene.wall_depth) mark_wall_depths(shown.model, shown.surfaces, session.progress());
+  mark_walls(scene, shown.model, shown.surfaces, session.progress());
   Painter painter(picture, context->gl(), renderer, shown, scene, session);
   std::vector<FileContent> files = draw(options, shown, scene, film, painter, session);
   if (!options.save_scene.empty()) {

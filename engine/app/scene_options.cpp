@@ -46,6 +46,9 @@ void add_scene_options(CLI::App& parser, SceneWords& words) {
   parser.add_flag("--wire", words.wire, "Draw the triangles' edges")->group(showing);
   parser.add_flag("--wall-depth", words.wall_depth, "Canals' walls tell their depth: colour, a ring every mm")
       ->group(showing);
+  parser
+      .add_flag("--wall-thickness", words.wall_thickness, "Walls tell how thick they are: colour, a line every 0.2 mm")
+      ->group(showing);
   repeatable(
       parser.add_option("--overlay", words.overlays, "contours, edges (faulty ones), tetrahedra[=SLAB]; repeatable"))
       ->type_name("WHAT")

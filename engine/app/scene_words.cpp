@@ -264,6 +264,7 @@ Scene scene_from(const SceneWords& words, const odontoscope::Model& model, const
   }
   if (words.wire) scene.wire = true;
   if (words.wall_depth) scene.wall_depth = true;
+  if (words.wall_thickness) scene.wall_thickness = true;
   return scene;
 }
 

@@ -23,7 +23,7 @@ struct SceneWords {
   std::string section, cap, back_faces, background;
   std::vector<std::string> overlays;  // "contours", "edges", "tetrahedra", "tetrahedra=N"
   std::optional<double> occlusion;
-  bool wire = false, wall_depth = false;
+  bool wire = false, wall_depth = false, wall_thickness = false;
 };
 
 /// Throws what scene_from would throw whatever the model is: to be called before any long work.

@@ -21,8 +21,10 @@
 #include "engine/app/volume_options.h"
 #include "engine/headset_viewer/headset_loop.h"
 #include "engine/language/language.h"
+#include "engine/navigate/thickness_colours.h"
 #include "engine/navigate/wall_depth.h"
 #include "engine/picture/png.h"
+#include "engine/view/desktop_dialog.h"
 #include "engine/view/offscreen.h"
 #include "engine/viewer/viewer.h"
 #include "engine/viewer/window_loop.h"
@@ -134,8 +136,10 @@ LoadedModel load(const LoadRequest& request, const Progress& progress, const Vie
   if (shown.values) loaded.isos = shown.isos;
   loaded.deviations = deviations_in(shown.model);
   loaded.pickable = std::make_shared<const Pickable>(shown.model, progress);
-  loaded.flight = std::make_shared<const FlightSpaces>(flight_spaces(shown.surfaces, shown.model, progress));
-  mark_wall_depths(shown.model, *loaded.flight);
+  FlightSpaces spaces = flight_spaces(shown.surfaces, shown.model, progress);
+  mark_wall_depths(shown.model, spaces);
+  mark_wall_thicknesses(shown.model, spaces, progress);
+  loaded.flight = std::make_shared<const FlightSpaces>(std::move(spaces));
   if (!loaded.flight->cavities.empty())
     if (const auto kind = sample_of(loaded.flight->cavities.front().lines)) loaded.tooth = tooth_in_words(*kind);
   loaded.model = std::move(shown.model);
@@ -239,6 +243,7 @@ ExitCode show_window(const ViewArguments& options, const ReadSettings& read, con
   ViewerOptions viewer_settings = viewer_options(options, settings, session);
   viewer_settings.language = language;
   viewer_settings.with_drafts = true;
+  viewer_settings.dialog_program = desktop_dialog_program();
   viewer_settings.clipboard = {[&window] { return window.clipboard(); },
                                [&window](const std::string& text) { window.set_clipboard(text); }};
   Viewer viewer(window.context().gl(), shaders_from_environment(), std::move(viewer_settings));

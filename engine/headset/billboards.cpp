@@ -10,6 +10,7 @@
 #include "engine/headset/section_frame.h"
 #include "engine/measure/wall_thickness.h"
 #include "engine/navigate/labels.h"
+#include "engine/navigate/thickness_colours.h"
 #include "engine/navigate/wall_depth.h"
 
 namespace odontoscope {
@@ -64,10 +65,12 @@ std::vector<Billboard> billboards(const Visit& visit, const HeadsetInput& input,
     const std::vector<FlightLabel> labels = labels_inside(cavity);
     for (const FlightLabel* label : seen_names(visit, labels, cavity.walls)) add(label->words, label->at);
   }
-  if (visit.cavity && visit.chosen.wall_depth) {
+  if (visit.cavity && visit.chosen.on_wall != WallNumber::none) {
     const FlightSpace& cavity = world.cavities[*visit.cavity];
-    const std::vector<FlightLabel> depths = depth_labels(cavity, world.model.depth_step_mm);
-    for (const FlightLabel* label : seen_names(visit, depths, cavity.walls)) add(label->words, label->at);
+    const std::vector<FlightLabel> numbers = visit.chosen.on_wall == WallNumber::depth
+                                                 ? depth_labels(cavity, world.model.depth_step_mm)
+                                                 : thickness_labels(cavity);
+    for (const FlightLabel* label : seen_names(visit, numbers, cavity.walls)) add(label->words, label->at);
   }
   return all;
 }

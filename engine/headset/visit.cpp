@@ -81,7 +81,8 @@ Scene scene_of(const Visit& visit, const VisitWorld& world) {
   if (!visit.cavity) return visit.scene;
   const FlightSpace& space = world.cavities[*visit.cavity];
   Scene inside = seen_within(visit.scene, world.model, space.wall(), lamp_reach * space.clearance_mm);
-  inside.wall_depth = visit.chosen.wall_depth;
+  inside.wall_depth = visit.chosen.on_wall == WallNumber::depth;
+  inside.wall_thickness = visit.chosen.on_wall == WallNumber::thickness;
   return inside;
 }
 

@@ -19,6 +19,7 @@
 #include "engine/headset/stage.h"
 #include "engine/measure/pick.h"
 #include "engine/navigate/flight_spaces.h"
+#include "engine/navigate/labels.h"
 #include "engine/navigate/ride.h"
 
 namespace odontoscope {
@@ -111,8 +112,8 @@ struct VisitChoices {
   bool db = false;  // the other method's model is wanted in place of the certified one
   HandTool tool = HandTool::look;
   Travel travel = Travel::glide;
-  bool labels = true;      // names of canals, inside
-  bool wall_depth = true;  // Scene::wall_depth, inside
+  bool labels = true;                      // names of canals, inside
+  WallNumber on_wall = WallNumber::depth;  // Scene::wall_depth, or Scene::wall_thickness, inside
 };
 
 struct Visit {

@@ -7,9 +7,11 @@
 
 #include "engine/measure/wall_thickness.h"
 #include "engine/navigate/ride.h"
+#include "engine/navigate/thickness_colours.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
 #include "engine/viewer/fly/fly_annotations.h"
+#include "engine/viewer/fly/on_wall.h"
 
 namespace odontoscope {
 
@@ -77,8 +79,25 @@ void outside(Visit& visit, const VisitWorld& world, const HeadsetPanelWords& wor
   if (widgets::choice("back faces", faces, {"Cull", "Two-sided", "Tint"}))
     visit.scene.back_faces = static_cast<BackFaces>(faces);
   section_rows(visit);
+  if (tells_thickness(world.model)) widgets::toggle("Thickness of the wall", visit.scene.wall_thickness);
+  if (visit.scene.wall_thickness) say(thickness_in_words(world.model));
   button(visit, visit.stage.magnification == 1 ? "Enlarge it" : "True size", VisitAction::change_size);
   if (!world.cavities.empty()) button(visit, "Go inside", VisitAction::enter, true);
+}
+
+/// What walls tell, and what colours of thickness mean.
+void on_wall(Visit& visit, const Model& model) {
+  if (!tells_thickness(model)) {
+    bool depth = visit.chosen.on_wall == WallNumber::depth;
+    if (widgets::toggle("Depth on the walls", depth))
+      visit.chosen.on_wall = depth ? WallNumber::depth : WallNumber::none;
+    return;
+  }
+  say("On the walls");
+  int chosen = static_cast<int>(visit.chosen.on_wall);
+  if (widgets::choice("on the wall", chosen, {"Nothing", "Depth", "Thickness"}))
+    visit.chosen.on_wall = static_cast<WallNumber>(chosen);
+  if (visit.chosen.on_wall == WallNumber::thickness) say(thickness_in_words(model));
 }
 
 void where(Visit& visit, const VisitWorld& world, const HeadsetPanelWords& words) {
@@ -88,7 +107,7 @@ void where(Visit& visit, const VisitWorld& world, const HeadsetPanelWords& words
   if (place) say(measured_in_words(space, *place));
   say(fmt::format("Everything is {:.0f} times enlarged.", visit.stage.magnification));
   widgets::toggle("Names", visit.chosen.labels);
-  widgets::toggle("Depth on the walls", visit.chosen.wall_depth);
+  on_wall(visit, world.model);
   int travel = static_cast<int>(visit.chosen.travel);
   say("The trigger");
   if (widgets::choice("travel", travel, {"glides there", "leaps there"}))

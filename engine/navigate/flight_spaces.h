@@ -14,14 +14,21 @@
 
 namespace odontoscope {
 
+/// On a canal's wall, with the way from there to the nearest place on the outside.
+struct ThinPlace {
+  glm::dvec3 at{0};
+  double mm = 0;
+};
+
 struct FlightSpace {
   std::string structure;  // the model's part whose triangles are the wall
   bool body = false;      // that part fills the void: its wall is seen when it is turned inside out
   Walls walls;
   double volume_mm3 = 0;
-  glm::dvec3 middle{0};     // its roomiest place
-  double clearance_mm = 0;  // clearance there
-  CentreLines lines;        // empty where none could be made
+  glm::dvec3 middle{0};                     // its roomiest place
+  double clearance_mm = 0;                  // clearance there
+  CentreLines lines;                        // empty where none could be made
+  std::vector<ThinPlace> thin_places = {};  // see thickness_colours.h
 
   VoidWall wall() const { return {structure, body}; }
 };

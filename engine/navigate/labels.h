@@ -13,11 +13,14 @@
 
 namespace odontoscope {
 
+/// What a number on the wall tells.
+enum class WallNumber { none, depth, thickness };
+
 struct FlightLabel {
   glm::dvec3 at{0};
   std::string words;
-  std::optional<std::size_t> line;  // of rideable(): a click begins the ride
-  bool depth = false;               // no name, but how deep the wall is there
+  std::optional<std::size_t> line;       // of rideable(): a click begins the ride
+  WallNumber number = WallNumber::none;  // else no name, but how deep or thick the wall is there
 };
 
 std::vector<FlightLabel> labels_inside(const FlightSpace& space);

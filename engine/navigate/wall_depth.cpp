@@ -152,7 +152,7 @@ std::vector<FlightLabel> depth_labels(const FlightSpace& space, double step_mm) 
         return other.words == words && glm::length(other.at - at) < apart;
       };
       if (std::none_of(labels.begin(), labels.end(), same))
-        labels.push_back({.at = at, .words = words, .line = {}, .depth = true});
+        labels.push_back({.at = at, .words = words, .line = {}, .number = WallNumber::depth});
       next += step_mm;
     }
   }

@@ -84,6 +84,7 @@ FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view
   plan.back_faces = scene.back_faces;
   plan.wire = scene.wire;
   plan.wall_depth = scene.wall_depth;
+  plan.wall_thickness = scene.wall_thickness;
   plan.data_colours = scene.data_colours;
   plan.parallel = view.eye_to_clip[2][3] == 0;
   plan.occlusion = scene.occlusion;

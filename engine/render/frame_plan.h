@@ -57,7 +57,8 @@ struct FramePlan {
   bool wire = false;
   std::optional<DataColours> data_colours;  // on parts that have deviations
   bool parallel = false;
-  bool wall_depth = false;  // on parts that have depths
+  bool wall_depth = false;      // on parts that have depths
+  bool wall_thickness = false;  // in its place, on parts that have thicknesses
   Occlusion occlusion;
   glm::vec4 lamp{0};  // where the eye's lamp is, metres from the eye, and its reach; reach 0: the studio's lights
 

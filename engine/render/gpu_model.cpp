@@ -55,6 +55,15 @@ GpuPart upload(const Gl& gl, const ModelPart& part, double depth_step_mm) {
     gl.VertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, sizeof(float), nullptr);
     gl.EnableVertexAttribArray(2);
   }
+  if (part.thicknesses_mm.size() == part.positions.size()) {
+    uploaded.thicknesses = make_buffer(gl);
+    std::vector<float> steps = part.thicknesses_mm;
+    const double line = thickness_line * depth_step_mm;
+    for (float& step : steps) step = static_cast<float>(thickest_steps - static_cast<double>(step) / line);
+    fill(gl, GL_ARRAY_BUFFER, *uploaded.thicknesses, steps);
+    gl.VertexAttribPointer(4, 1, GL_FLOAT, GL_FALSE, sizeof(float), nullptr);
+    gl.EnableVertexAttribArray(4);
+  }
   if (part.deviations.size() == part.positions.size()) {
     uploaded.deviations = make_buffer(gl);
     fill(gl, GL_ARRAY_BUFFER, *uploaded.deviations, part.deviations);

@@ -15,10 +15,11 @@ struct GpuPart {
   std::string solid;
   GlObject vertex_array, positions, normals, indices;
   GLsizei index_count = 0;
-  double box_volume = 0;                    // m^3; caps of larger structures lie under those of smaller ones
-  float attenuation = 0;                    // ModelPart::attenuation
-  std::optional<GlObject> depths = {};      // ModelPart::depths_mm in steps, if it has any
-  std::optional<GlObject> deviations = {};  // ModelPart::deviations, if it has any
+  double box_volume = 0;                     // m^3; caps of larger structures lie under those of smaller ones
+  float attenuation = 0;                     // ModelPart::attenuation
+  std::optional<GlObject> depths = {};       // ModelPart::depths_mm in steps, if it has any
+  std::optional<GlObject> thicknesses = {};  // ModelPart::thicknesses_mm in steps below the thickest, if it has any
+  std::optional<GlObject> deviations = {};   // ModelPart::deviations, if it has any
 
   void draw() const;
 };

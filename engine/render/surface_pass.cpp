@@ -20,6 +20,12 @@ void set_data_colours(const Program& program, const DataColours& colours) {
   program.set("data_reach", static_cast<float>(colours.reach));
 }
 
+/// As surface.frag's show_depth: 1 depth, 2 thickness, 0 neither.
+int told_on_wall(const FramePlan& plan, const GpuPart& part) {
+  if (plan.wall_thickness) return part.thicknesses ? 2 : 0;
+  return plan.wall_depth && part.depths ? 1 : 0;
+}
+
 }  // namespace
 
 GlObject make_query(const Gl& gl) {
@@ -75,7 +81,7 @@ void SurfacePass::draw(const FramePlan& plan, const std::vector<DrawnPart>& part
     program.set("back_colour", tint ? linear(alarm) : part.colour);
     program.set("opacity", part.opacity);
     program.set("normal_sign", part.inside_out ? -1.0f : 1.0f);
-    program.set("show_depth", plan.wall_depth && part.part->depths ? 1 : 0);
+    program.set("show_depth", told_on_wall(plan, *part.part));
     gl_->FrontFace(part.inside_out ? GL_CW : GL_CCW);
     part.part->draw();
   }

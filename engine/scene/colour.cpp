@@ -21,6 +21,11 @@ float linear(float encoded) {
   return encoded <= 0.04045f ? encoded / 12.92f : static_cast<float>(portable::pow((encoded + 0.055f) / 1.055f, 2.4));
 }
 
+float encoded(float light) {
+  const float part = std::clamp(light, 0.0f, 1.0f);
+  return part <= 0.0031308f ? 12.92f * part : static_cast<float>(1.055 * portable::pow(part, 1 / 2.4) - 0.055);
+}
+
 struct ColouredTissue {
   std::string_view part_of_name;
   Colour colour;
@@ -49,6 +54,8 @@ const ColouredTissue* coloured_tissue(std::string_view structure) {
 int channel(float value) { return static_cast<int>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f))); }
 
 }  // namespace
+
+Colour encoded(const glm::vec3& light) { return {encoded(light.r), encoded(light.g), encoded(light.b)}; }
 
 glm::vec3 linear(const Colour& colour) { return {linear(colour.red), linear(colour.green), linear(colour.blue)}; }
 

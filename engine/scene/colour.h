@@ -16,6 +16,8 @@ struct Colour {
 
 /// Linear light, ITU-R BT.709 primaries.
 glm::vec3 linear(const Colour& colour);
+/// Back again, 0 to 1.
+Colour encoded(const glm::vec3& light);
 
 /// 0xf2e9d8.
 constexpr Colour colour_of(unsigned rgb) {

@@ -37,11 +37,13 @@ struct ModelPart {
   bool cavity = false;
   double attenuation = 0;  // of X-rays at usual_kv by what a solid of this name is made of, 1/mm; 0: nobody knows. See
                            // recon/radiograph/tissue.h
-  std::vector<glm::vec3> positions;    // metres, relative to the model's origin
-  std::vector<glm::vec3> normals;      // unit length, one a position
-  std::vector<std::uint32_t> indices;  // three a triangle, in the order of the surface's triangles
-  std::vector<float> depths_mm = {};   // below the orifice of the canal that it walls, one a position; none: nobody
-                                       // asked. See navigate/wall_depth.h
+  std::vector<glm::vec3> positions;        // metres, relative to the model's origin
+  std::vector<glm::vec3> normals;          // unit length, one a position
+  std::vector<std::uint32_t> indices;      // three a triangle, in the order of the surface's triangles
+  std::vector<float> depths_mm = {};       // below the orifice of the canal that it walls, one a position; none: nobody
+                                           // asked. See navigate/wall_depth.h
+  std::vector<float> thicknesses_mm = {};  // of the wall, to its outside, one a position; none: nobody asked, or it is
+                                           // no wall. See navigate/thickness_colours.h
   std::vector<glm::vec2> deviations =
       {};  // mm from the data's own surface, and their slope there, one a position; none: nobody asked. See deviation.h
 };
@@ -49,6 +51,11 @@ struct ModelPart {
 inline constexpr float no_deviation = 1e9f;
 /// Of a place that no canal passes.
 inline constexpr float above_orifice = -1;
+
+/// Of walls that tell how thick they are: lines are so much of a step of depth apart, and from `thickest_steps` lines
+/// on walls have their own colour.
+inline constexpr double thickness_line = 0.2;
+inline constexpr double thickest_steps = 15;
 
 struct Box {
   glm::dvec3 low{0}, high{0};
@@ -60,7 +67,8 @@ struct Model {
   glm::dvec3 origin_mm{0};
   Box bounds_mm;             // of all parts, in the user's coordinates
   double depth_step_mm = 1;  // from ring to ring of walls that tell their depth
-  double radius_mm = 1;      // of the ball around bounds_mm's centre that holds everything; never 0
+  double thickness_step_mm() const { return thickness_line * depth_step_mm; }
+  double radius_mm = 1;  // of the ball around bounds_mm's centre that holds everything; never 0
 };
 
 /// Precondition: indices in range, coordinates finite. Throws InputError "nothing-to-show" if no surface has a

@@ -109,6 +109,9 @@ struct Scene {
   /// Canals' walls tell their depth below the orifice: by colour, a ring every Model::depth_step_mm and a bolder one
   /// every five of them (ModelPart::depths_mm).
   bool wall_depth = false;
+  /// In place of depth, how thick walls are to the outside: thin ones blue, a line every Model::thickness_step_mm and a
+  /// bolder one every five of them (ModelPart::thicknesses_mm); so do bodies that fill a cavity.
+  bool wall_thickness = false;
   /// Surfaces are coloured by how they lie to the data (ModelPart::deviations); none: in their own colours.
   std::optional<DataColours> data_colours;
   /// Of the picture that the scene was kept with; none: whoever draws it says.

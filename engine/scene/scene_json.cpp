@@ -425,6 +425,7 @@ std::string to_json(const Scene& scene) {
                                {"reach", short_number(scene.occlusion.reach)}};
   if (scene.headlight) json["headlight"] = {{"reach_mm", scene.headlight->reach_mm}};
   if (scene.wall_depth) json["wall_depth"] = true;
+  if (scene.wall_thickness) json["wall_thickness"] = true;
   if (scene.data_colours)
     json["data_colours"] = {{"of", name(scene.data_colours->of)}, {"reach", scene.data_colours->reach}};
   if (scene.picture)
@@ -455,6 +456,7 @@ Scene scene_from_json(const std::string& text, const Scene& start, const std::st
   reader.read_word("back_faces", scene.back_faces, back_faces_named);
   reader.read("wire", scene.wire);
   reader.read("wall_depth", scene.wall_depth);
+  reader.read("wall_thickness", scene.wall_thickness);
   read_data_colours(reader, file, scene.data_colours);
   read_overlays(reader, file, scene.overlays);
   read_surroundings(reader, file, scene);

@@ -7,7 +7,7 @@ namespace odontoscope {
 
 namespace {
 
-constexpr std::array<ActionKey, 37> keys = {{
+constexpr std::array<ActionKey, 38> keys = {{
     {"1", Action::view_buccal, "from buccal (the cheek)", U'1'},
     {"2", Action::view_lingual, "from lingual (the tongue)", U'2'},
     {"3", Action::view_mesial, "from mesial (towards the midline)", U'3'},
@@ -27,6 +27,7 @@ constexpr std::array<ActionKey, 37> keys = {{
     {"Enter", Action::enter_here, "ride the canal clicked; measure: the middle", 0, Key::enter},
     {"M", Action::measure_distance, "measure a distance", U'm'},
     {"T", Action::measure_thickness, "measure a wall's thickness", U't'},
+    {"I", Action::toggle_wall_thickness, "how thick walls are, by colour", U'i'},
     {"D", Action::toggle_comparison, "DT beside DB, the other method", U'd'},
     {"L", Action::next_comparison_layout, "side by side, split, one in place", U'l'},
     {"X", Action::swap_methods, "DT or DB in place", U'x'},
@@ -58,7 +59,7 @@ constexpr std::array<ActionKey, 26> in_flight = {{
     {"Home", Action::ride_to_start, "ride: to its start; End: to its end", 0, Key::home},
     {"End", Action::ride_to_end, "", 0, Key::end},
     {"B", Action::toggle_labels, "names on or off", U'b'},
-    {"G", Action::toggle_depth, "depth on the wall, on or off", U'g'},
+    {"G", Action::toggle_depth, "on the wall: depth, thickness, nothing", U'g'},
     {"V", Action::turn_where, "small picture: from another side", U'v'},
     {"H", Action::toggle_where, "small pictures on or off", U'h'},
     {"N", Action::write_note, "write a note on this view", U'n'},

@@ -18,6 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t longest_tag = 35;
 constexpr const char* format_name = "odontoscope.viewer-settings";
 constexpr std::size_t most_bytes = 64 * 1024;
 /// Deeper than any settings are, and far from what would overflow the stack.
@@ -54,15 +55,14 @@ class Reader {
         if (*found == word) return void(value = meaning);
     complain(key, "is none of the words that it may be");
   }
-  /// A language's tag.
-  void read(const char* key, std::string& tag) const {
-    constexpr std::size_t longest = 35;
+  /// A language's tag, a path.
+  void read(const char* key, std::string& text, std::size_t longest, const char* what) const {
     const auto found = object_.find(key);
     if (found == object_.end()) return;
     if (found->is_string() && found->get<std::string>().size() <= longest)
-      tag = found->get<std::string>();
+      text = found->get<std::string>();
     else
-      complain(key, "is no language");
+      complain(key, what);
   }
   void read(const char* key, std::vector<std::string>& files) const {
     const auto found = object_.find(key);
@@ -232,6 +232,7 @@ std::string to_json(const Settings& wanted) {
             {"panel", settings.panel},
             {"names", settings.names},
             {"hints", settings.hints},
+            {"desktop_dialogs", settings.desktop_dialogs},
             {"text_scale", std::stod(fmt::format("{}", settings.text_scale))},
             {"back_faces", word_for(settings.back_faces, back_faces_words)},
             {"projection", word_for(settings.projection, projection_words)},
@@ -247,12 +248,14 @@ std::string to_json(const Settings& wanted) {
               {"speed_limit", settings.comfort.speed_limit},
               {"vignette", settings.comfort.vignette},
               {"reduced_motion", settings.comfort.reduced_motion},
-              {"wall_depth", settings.comfort.wall_depth}}}};
+              {"wall_depth", settings.comfort.wall_depth},
+              {"wall_thickness", settings.comfort.wall_thickness}}}};
   Json looks = Json::object();
   for (const RememberedLook& look : settings.looks)
     looks[look.structure] = {{"colour", hex(look.colour)}, {"opacity", std::stod(fmt::format("{}", look.opacity))}};
   json["looks"] = looks;
   json["recent"] = settings.recent;
+  if (!settings.save_folder.empty()) json["save_folder"] = settings.save_folder;
   if (!settings.language.empty()) json["language"] = settings.language;
   // Names come from files of all kinds: what is no text is replaced, and so forgotten.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -272,8 +275,10 @@ ReadSettings settings_from_json(const std::string& text) {
   reader.read("panel", settings.panel);
   reader.read("names", settings.names);
   reader.read("hints", settings.hints);
+  reader.read("desktop_dialogs", settings.desktop_dialogs);
+  reader.read("save_folder", settings.save_folder, most_path_bytes, "is no folder");
   reader.read("recent", settings.recent);
-  reader.read("language", settings.language);
+  reader.read("language", settings.language, longest_tag, "is no language");
   reader.read("text_scale", settings.text_scale, smallest_text_scale, largest_text_scale);
   reader.read("back_faces", settings.back_faces, back_faces_words);
   reader.read("projection", settings.projection, projection_words);
@@ -290,6 +295,7 @@ ReadSettings settings_from_json(const std::string& text) {
   flight.read("vignette", settings.comfort.vignette);
   flight.read("reduced_motion", settings.comfort.reduced_motion);
   flight.read("wall_depth", settings.comfort.wall_depth);
+  flight.read("wall_thickness", settings.comfort.wall_thickness);
   reader.read("looks", settings.looks);
   return read;
 }

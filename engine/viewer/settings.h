@@ -30,6 +30,7 @@ struct Comfort {
   bool vignette = false;        // a dark rim while the picture turns
   bool reduced_motion = false;  // no dives, slower turns
   bool wall_depth = true;       // canals' walls carry their depth: Scene::wall_depth
+  bool wall_thickness = false;  // or in its place their thickness: Scene::wall_thickness
   friend bool operator==(const Comfort&, const Comfort&) = default;
 };
 
@@ -46,10 +47,12 @@ inline constexpr std::size_t most_recent_files = 8, most_path_bytes = 4096;
 struct Settings {
   PixelSize window{1280, 800};
   bool panel = true;
-  bool names = true;          // beside the tooth, from outside
-  bool hints = true;          // for the first run: until they are followed or closed
-  std::string language = {};  // a tag; empty: as the environment says
-  float text_scale = 1;       // on top of the screen's own
+  bool names = true;             // beside the tooth, from outside
+  bool hints = true;             // for the first run: until they are followed or closed
+  bool desktop_dialogs = true;   // files are chosen in the desktop's dialog, where there is one
+  std::string save_folder = {};  // where pictures, scenes and lessons go; empty: the current one
+  std::string language = {};     // a tag; empty: as the environment says
+  float text_scale = 1;          // on top of the screen's own
   BackFaces back_faces = BackFaces::cull;
   Camera::Projection projection = Camera::Projection::perspective;
   Backdrop backdrop = Backdrop::dark;

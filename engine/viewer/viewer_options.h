@@ -25,6 +25,8 @@ struct ViewerOptions {
   /// Where pictures and scenes are saved; empty: the current folder.
   std::filesystem::path folder = {};
   Clipboard clipboard = {};
+  /// That shows the desktop's dialogs, see desktop_dialog.h; empty: the viewer asks by a list of its own.
+  std::string dialog_program = {};
   /// Samples a pixel along one axis for a picture that stands still. While it moves, one, if this machine is too slow
   /// for more and `coarse_when_slow`; without that, pictures depend on nothing but the state.
   int side = 2;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <string>
+#include <utility>
 
 namespace odontoscope {
 
@@ -11,8 +12,12 @@ void run_in_window(Viewer& viewer, Window& window, const std::stop_token& stop) 
   constexpr double longest_step = 0.1;  // after a rest nothing jumps
   Clock::time_point before = Clock::now();
   std::string title;
-  while (!(window.closing() && viewer.may_close()) && !viewer.state().close && !stop.stop_requested() &&
-         !viewer.state().headset_asked) {
+  bool stop_heard = false;  // a request to stop counts once: then, as a closed window, it may be answered with no
+  const auto to_close = [&] {
+    const bool requested = stop.stop_requested(), fresh = requested && !std::exchange(stop_heard, requested);
+    return window.closing() || fresh;
+  };
+  while (!(to_close() && viewer.may_close()) && !viewer.state().close && !viewer.state().headset_asked) {
     if (window.closing()) window.keep_open();  // something is asked first
     for (const Event& event : window.events(viewer.wait_timeout())) viewer.handle(event);
     const Clock::time_point now = Clock::now();

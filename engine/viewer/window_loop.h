@@ -9,7 +9,8 @@
 namespace odontoscope {
 
 /// Returns when the window is closed, a stop is requested, or the headset is asked for (ViewerState::headset_asked).
-/// Draws when something happens, and rests otherwise.
+/// What would be lost by closing is asked about first, also of a stop; of each stop once. Draws when something happens,
+/// and rests otherwise.
 void run_in_window(Viewer& viewer, Window& window, const std::stop_token& stop);
 
 }  // namespace odontoscope

@@ -69,6 +69,9 @@ Workspace::Workspace(const Gl& context, const ShaderLibrary& library, ViewerOpti
       files(options.folder),
       modes(*this, options.modes) {
   state.settings = options.settings;
+  std::error_code error;
+  if (options.folder.empty() && std::filesystem::is_directory(state.settings.save_folder, error))
+    files.move_to(state.settings.save_folder);
   state.languages = known_languages();
   if (std::none_of(state.languages.begin(), state.languages.end(),
                    [&](const Language& known) { return known == options.language; }))

@@ -56,6 +56,8 @@ struct Layout {
 class FileNames {
  public:
   explicit FileNames(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  void move_to(std::filesystem::path folder) { folder_ = std::move(folder); }
+  const std::filesystem::path& folder() const { return folder_; }
   /// Throws FileError if there are too many.
   std::filesystem::path next(const std::string& stem, const std::string& ending);
 

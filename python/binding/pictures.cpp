@@ -75,6 +75,7 @@ app::SceneWords scene_words(const py::dict& given) {
   take(given, "occlusion", words.occlusion);
   take(given, "wire", words.wire);
   take(given, "wall_depth", words.wall_depth);
+  take(given, "wall_thickness", words.wall_thickness);
   return words;
 }
 
@@ -250,7 +251,7 @@ struct Stage {
     app::colour_by_data(words.colour_by, words.scene.opacity, shown, scene, session);
     app::refuse_cap_without_section(words.scene, scene);
     if (words.on_tour()) film.emplace(app::film_of(shown, words.tour, session));
-    if (scene.wall_depth) app::mark_wall_depths(shown.model, shown.surfaces, session.progress());
+    app::mark_walls(scene, shown.model, shown.surfaces, session.progress());
     session.progress().check();
     context = make_context({.backend = words.backend});
     refuse_undrawable(context->gl(), words.picture.size, words.picture.render);

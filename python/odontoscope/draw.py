@@ -95,7 +95,7 @@ def _count(given: Any, option: str) -> int:
 
 def words(*, view: str = "", size: Any = None, samples: int | None = None, scene: Any = None, camera: Any = None, parallel: bool = False,
           zoom: float = 1, hide: Any = None, opacity: Any = None, colour: Any = None, section: str = "", cap: str = "", cull: str = "",
-          wire: bool = False, wall_depth: bool = False, overlay: Any = None, occlusion: float | None = None, background: str = "",
+          wire: bool = False, wall_depth: bool = False, wall_thickness: bool = False, overlay: Any = None, occlusion: float | None = None, background: str = "",
           show: str = "", cast: str = "", transfer: str = "", slopes: Any = None, colour_by: str = "", grey: Any = None, radiograph: bool = False, kv: float = 70, beam: str = "", focus: Any = None, tube: Any = None,
           film: Any = None, pixel: Any = None, exposure: Any = None, inverted: bool = False, attenuation: Any = None, turntable: Any = None, tour: str = "",
           reverse: bool = False, void: int = 1, frames: Any = None, contact_sheet: Any = None, backend: str = "auto", save_scene: Any = None) -> dict[str, Any]:
@@ -110,7 +110,7 @@ def words(*, view: str = "", size: Any = None, samples: int | None = None, scene
     return {"view": str(view), "size": "" if size is None else _size(size), "samples": samples, "scene": "" if scene is None else _options.path(scene),
             "camera": "" if camera is None else _options.path(camera), "parallel": bool(parallel), "zoom": _within(zoom, "zoom", 0.01, 100),
             "hide": _options.names(hide), "opacity": _pairs(opacity, "opacity"), "colour": _pairs(colour, "colour"), "section": str(section),
-            "cap": str(cap), "cull": str(cull), "wire": bool(wire), "wall_depth": bool(wall_depth), "overlay": _options.names(overlay),
+            "cap": str(cap), "cull": str(cull), "wire": bool(wire), "wall_depth": bool(wall_depth), "wall_thickness": bool(wall_thickness), "overlay": _options.names(overlay),
             "occlusion": None if occlusion is None else _within(occlusion, "occlusion", 0, 4), "background": str(background),
             "show": str(show), "cast": str(cast), "transfer": str(transfer), "slopes": _options.numbers(slopes, "slopes", 2), "colour_by": str(colour_by),
             **_radiograph_words(radiograph, kv, beam, focus, tube, film, pixel, exposure, inverted, attenuation, grey),

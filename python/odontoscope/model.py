@@ -212,7 +212,7 @@ class Model:
     def render(self, *, view: str = "", size: Union[str, tuple[int, int], None] = None, samples: Optional[int] = None,
                scene: Optional[File] = None, camera: Optional[File] = None, parallel: bool = False, zoom: float = 1, hide: Union[str, Iterable[str], None] = None,
                opacity: Look = None, colour: Look = None, section: str = "", cap: str = "", cull: str = "", wire: bool = False,
-               wall_depth: bool = False, overlay: Union[str, Iterable[str], None] = None, occlusion: Optional[float] = None,
+               wall_depth: bool = False, wall_thickness: bool = False, overlay: Union[str, Iterable[str], None] = None, occlusion: Optional[float] = None,
                background: str = "", show: str = "", cast: str = "", transfer: str = "", slopes: Any = None, colour_by: str = "", grey: Any = None, radiograph: bool = False, kv: float = 70, beam: str = "",
                focus: Optional[float] = None, tube: Any = None, film: Any = None, pixel: Optional[float] = None, exposure: Optional[float] = None, inverted: bool = False,
                attenuation: Look = None, turntable: Optional[int] = None, tour: str = "", reverse: bool = False, void: int = 1, frames: Optional[int] = None,
@@ -233,7 +233,7 @@ class Model:
             section, cap: "buccal", "-x@2.5" (mm), "1,1,0@3": what is cut away; on the cut "material", "plain", "ct" or "ct=60,220": the CT values of the volume that the
                 model was made from.
             cull: faces seen from behind: "on" (left out), "off" (shown), "tint".
-            wire, wall_depth: edges of triangles; canals' walls tell their depth.
+            wire, wall_depth, wall_thickness: edges of triangles; canals' walls tell their depth, or how thick they are.
             overlay: "contours", "edges" (faulty ones), "tetrahedra", "tetrahedra=12" (of slab 12).
             occlusion: darkening of hollows, 0 to 4.
             background: "white", "black", "transparent", "#rrggbb", or two colours from top to bottom.

@@ -174,7 +174,7 @@ TEST_F(HeadsetTour, NamesOfCanalsAreSeenButNotThroughWalls) {
     for (const Billboard& billboard : billboards(visit, input, world)) words.insert(billboard.words);
     return words;
   };
-  visit.chosen.wall_depth = false;
+  visit.chosen.on_wall = WallNumber::none;
   const auto in_chamber = written();
   EXPECT_FALSE(in_chamber.empty());
   EXPECT_LT(in_chamber.size(), labels.size());
@@ -187,9 +187,16 @@ TEST_F(HeadsetTour, NamesOfCanalsAreSeenButNotThroughWalls) {
   }
   visit.chosen.labels = false;
   EXPECT_TRUE(written().empty());
-  visit.chosen.wall_depth = true;
+  visit.chosen.on_wall = WallNumber::depth;
   for (const std::string& words : written()) EXPECT_TRUE(words.ends_with(" mm")) << words;
-  visit.chosen.wall_depth = false;
+  EXPECT_TRUE(scene_of(visit, world).wall_depth);
+  visit.chosen.on_wall = WallNumber::thickness;
+  EXPECT_TRUE(scene_of(visit, world).wall_thickness);
+  EXPECT_FALSE(scene_of(visit, world).wall_depth);
+  visit.cavity.reset();
+  EXPECT_FALSE(scene_of(visit, world).wall_thickness) << "outside the panel has a switch of its own";
+  visit.cavity = 0;
+  visit.chosen.on_wall = WallNumber::none;
   visit.chosen.labels = true;
   // In one canal, far from the chamber, another one's names are gone.
   begin(0);

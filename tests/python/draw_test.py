@@ -46,6 +46,7 @@ class Pictures(unittest.TestCase):
                               ["--overlay", "contours", "--overlay", "tetrahedra=3", "--wire", "--parallel", "--zoom", "2"]),
                              ({"wall_depth": True, "hide": ["enamel", "dentine"], "background": "white", "occlusion": 0, "cull": "off"},
                               ["--wall-depth", "--hide", "enamel", "--hide", "dentine", "--background", "white", "--occlusion", "0", "--cull", "off"]),
+                             ({"wall_thickness": True, "hide": "enamel"}, ["--wall-thickness", "--hide", "enamel"]),
                              ({"scene": scene, "size": None}, ["--scene", scene])]:   # of the scene's size
             made = self.model.render(**{"size": SMALL, "backend": "egl", **given})
             self.assertTrue(odontoscope.png(made) == self.by_the_program(*words), f"{given} draws something else than {words}")

@@ -35,7 +35,7 @@ TEST(SceneFiles, ComeBackAsTheyWere) {
   scene.camera.projection = Camera::Projection::parallel;
   scene.background = {Background::Kind::transparent, {}, {}};
   scene.occlusion = {false, 2, 0.3f};
-  scene.wall_depth = true;
+  scene.wall_depth = scene.wall_thickness = true;
   scene.looks[0] = {"shell", colour_from_hex("#123456"), 0.7f, false, true};
   scene.looks[1].colour = colour_from_hex("#fedcba");
   scene.cap = {CapLook::Shows::ct, ValueWindow{-1000, 2500.5}};

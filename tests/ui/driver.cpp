@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "engine/navigate/thickness_colours.h"
 #include "engine/navigate/wall_depth.h"
 #include "engine/picture/png.h"
 #include "tests/render/shapes.h"
@@ -21,8 +22,10 @@ LoadedModel toy_tooth() {
   loaded.overlays.faulty_edges = faulty_edges(surfaces, loaded.model);
   loaded.scene = usual_scene(loaded.model, 1.2);
   loaded.scene.occlusion.on = false;
-  loaded.flight = std::make_shared<const FlightSpaces>(flight_spaces(surfaces, loaded.model));
-  mark_wall_depths(loaded.model, *loaded.flight);
+  FlightSpaces spaces = flight_spaces(surfaces, loaded.model);
+  mark_wall_depths(loaded.model, spaces);
+  mark_wall_thicknesses(loaded.model, spaces);
+  loaded.flight = std::make_shared<const FlightSpaces>(std::move(spaces));
   loaded.pickable = std::make_shared<const Pickable>(loaded.model);
   loaded.certificate = {Certificate::Verdict::certified,
                         "Certified: closed, manifold, facing outwards",

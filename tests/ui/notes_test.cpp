@@ -241,6 +241,7 @@ TEST_F(FlightTest, NotesAreWrittenSavedOpenedAndPlayedAsALesson) {
   hold('w', 0.2);
   frames(60);
   const Flight inside = fly().flight;
+  const double inside_deg = viewer().state().scene.camera.field_of_view_deg;
   type(U'n');
   NotesState& notes = mode<NotesMode>().notes();
   ASSERT_TRUE(notes.draft);
@@ -268,9 +269,11 @@ TEST_F(FlightTest, NotesAreWrittenSavedOpenedAndPlayedAsALesson) {
   ASSERT_TRUE(named_like_a_tour(file.string())) << file;
 
   viewer_with(toy_tooth(), {.folder = scratch.path()});
+  viewer().state().settings.comfort.field_of_view_deg = inside_deg - 20;
   viewer().handle(FilesDropped{{file.string()}});
   frame();
   fade();
+  EXPECT_EQ(viewer().state().scene.camera.field_of_view_deg, inside_deg) << "as it was seen by who wrote it";
   NotesState& opened = mode<NotesMode>().notes();
   ASSERT_EQ(opened.shown, std::optional<std::size_t>(0));
   ASSERT_TRUE(fly().on);

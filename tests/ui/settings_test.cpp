@@ -25,9 +25,10 @@ Settings unusual() {
   settings.projection = Camera::Projection::parallel;
   settings.backdrop = Backdrop::white;
   settings.picture = {640, 480, false, 4, true};
-  settings.comfort = {90, 2.5, true, true};
+  settings.comfort = {90, 2.5, true, true, false, true};
   settings.looks = {{"enamel", colour_of(0x123456), 0.25f}, {"Zahnbein \xC3\xA4", colour_of(0xffffff), 0}};
-  settings.hints = false;
+  settings.hints = settings.desktop_dialogs = false;
+  settings.save_folder = "/teeth/pictures of";
   settings.recent = {"/teeth/b.json", "/teeth/a.glb"};
   return settings;
 }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 
+#include "engine/navigate/thickness_colours.h"
 #include "engine/navigate/wall_depth.h"
 #include "engine/scene/shells.h"
 #include "recon/delaunay/reconstruct.h"
@@ -21,8 +22,10 @@ LoadedModel loaded(const ContourStack& stack, const std::string& title) {
   model.title = title;
   model.model = make_model(surfaces);
   model.overlays.contours = stack;
-  model.flight = std::make_shared<const FlightSpaces>(flight_spaces(surfaces, model.model));
-  mark_wall_depths(model.model, *model.flight);
+  FlightSpaces spaces = flight_spaces(surfaces, model.model);
+  mark_wall_depths(model.model, spaces);
+  mark_wall_thicknesses(model.model, spaces);
+  model.flight = std::make_shared<const FlightSpaces>(std::move(spaces));
   model.pickable = std::make_shared<const Pickable>(model.model);
   model.scene = usual_scene(model.model, 1.2);
   model.certificate = {Certificate::Verdict::certified, "Certified: closed, manifold, facing outwards", {}};

@@ -99,14 +99,47 @@ TEST_F(DepthInFlight, IsSeenAndCanBeSwitchedOff) {
   keep_picture("wall-depth");
   type(U'g');
   frames(3, 1e-6);
+  ASSERT_TRUE(viewer().state().scene.wall_thickness);
+  const Image thickness = picture();
+  keep_picture("wall-thickness");
+  EXPECT_FALSE(compare(with, thickness, {4, 0.3}).within_tolerance);
+  type(U'g');
+  frames(3, 1e-6);
   EXPECT_FALSE(viewer().state().scene.wall_depth);
+  EXPECT_FALSE(viewer().state().scene.wall_thickness);
   EXPECT_FALSE(compare(with, picture(), {4, 0.3}).within_tolerance);
+  EXPECT_FALSE(compare(thickness, picture(), {4, 0.3}).within_tolerance);
   type(U'g');
   frames(3, 1e-6);
   EXPECT_TRUE(compare(with, picture(), {4, 0.02}).within_tolerance);
   type(U'c');
   fade();
   EXPECT_FALSE(viewer().state().scene.wall_depth) << "outside nothing is coloured";
+}
+
+TEST_F(DepthInFlight, ThicknessIsSeenFromOutsideToo) {
+  viewer_with(sample_tooth_loaded());
+  viewer().state().scene.look_of("enamel")->visible = false;
+  viewer().state().scene.look_of("dentine")->visible = false;
+  frames(3, 1e-6);
+  const Image before = picture();
+  type(U'i');
+  frames(3, 1e-6);
+  EXPECT_TRUE(viewer().state().scene.wall_thickness);
+  EXPECT_FALSE(compare(before, picture(), {4, 0.02}).within_tolerance);
+  keep_picture("wall-thickness-outside");
+  type(U'i');
+  frames(3, 1e-6);
+  EXPECT_TRUE(compare(before, picture(), {4, 0.001}).within_tolerance);
+}
+
+TEST_F(DepthInFlight, OfWhatHasNoOutsideTheViewerSaysSo) {
+  viewer_with(toy_tooth());
+  type(U'i');
+  frames(1, 1e-6);
+  EXPECT_FALSE(viewer().state().scene.wall_thickness);
+  ASSERT_FALSE(viewer().state().notices.empty());
+  EXPECT_NE(viewer().state().notices.back().words.find("no thickness"), std::string::npos);
 }
 
 TEST_F(DepthInFlight, NumbersLieOnTheWallAtTheirDepth) {
@@ -116,7 +149,7 @@ TEST_F(DepthInFlight, NumbersLieOnTheWallAtTheirDepth) {
   EXPECT_GE(labels.size(), 30u);  // three canals of 12 to 14 mm
   for (const FlightLabel& label : labels) {
     EXPECT_LT(space.walls.nearest(label.at).distance, 1e-6) << label.words;
-    EXPECT_TRUE(label.depth);
+    EXPECT_EQ(label.number, WallNumber::depth);
     EXPECT_FALSE(label.line);
   }
 }

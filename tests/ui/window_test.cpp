@@ -10,6 +10,7 @@
 #include <string>
 
 #include "engine/view/offscreen.h"
+#include "engine/viewer/notes/notes_mode.h"
 #include "engine/viewer/window_loop.h"
 #include "tests/render/shapes.h"
 
@@ -33,6 +34,7 @@ void run_on_display(const std::string& name) {
 }
 
 TEST(Window, DrawsTheSamePixelsAsEglAndOsmesa) { run_on_display("SamePixels"); }
+TEST(Window, AsksAboutNotesBeforeItIsStopped) { run_on_display("AsksBeforeItIsStopped"); }
 TEST(Window, OpensShowsAndCloses) { run_on_display("OpensShowsAndCloses"); }
 
 TEST(Window, WithoutADisplayTheProgramSaysSo) {
@@ -67,21 +69,53 @@ TEST(OnADisplay, DISABLED_SamePixels) {
   EXPECT_EQ(pictures[0], pictures[2]);
 }
 
+ViewerOptions with_small_molar() {
+  return {.load =
+              [](const LoadRequest&, const Progress&) {
+                LoadedModel loaded;
+                loaded.title = "Small molar";
+                loaded.model = small_molar();
+                loaded.scene = usual_scene(loaded.model, 1);
+                loaded.pickable = std::make_shared<const Pickable>(loaded.model);
+                return loaded;
+              },
+          .side = 1,
+          .coarse_when_slow = false};
+}
+
+/// Closes the window some frames after it was asked whether it may be.
+class Impatient final : public Mode {
+ public:
+  using Mode::Mode;
+  bool may_close() override {
+    ++asked;
+    return true;
+  }
+  void advance(double) override {
+    if (asked > 0 && ++frames == 5) state_.close = true;
+  }
+  int asked = 0, frames = 0;
+};
+
+TEST(OnADisplay, DISABLED_AsksBeforeItIsStopped) {
+  Window window({.size = {900, 600}});
+  ViewerOptions options = with_small_molar();
+  options.modes.insert(options.modes.begin(), mode<Impatient>);
+  Viewer viewer(window.context().gl(), ShaderLibrary{}, std::move(options));
+  viewer.mode<NotesMode>().notes().lesson.notes.push_back({});
+  viewer.mode<NotesMode>().notes().unsaved = true;
+  std::stop_source stop;
+  stop.request_stop();
+  run_in_window(viewer, window, stop.get_token());
+  EXPECT_EQ(viewer.mode<Impatient>().asked, 1) << "a stop counts once";
+  EXPECT_EQ(viewer.mode<Impatient>().frames, 5) << "the window went on";
+  EXPECT_TRUE(viewer.mode<NotesMode>().notes().leaving) << "and asks";
+}
+
 TEST(OnADisplay, DISABLED_OpensShowsAndCloses) {
   small_molar();  // made once, before the clock runs
   Window window({.size = {900, 600}, .debug = true});
-  Viewer viewer(window.context().gl(), ShaderLibrary{},
-                {.load =
-                     [](const LoadRequest&, const Progress&) {
-                       LoadedModel loaded;
-                       loaded.title = "Small molar";
-                       loaded.model = small_molar();
-                       loaded.scene = usual_scene(loaded.model, 1);
-                       loaded.pickable = std::make_shared<const Pickable>(loaded.model);
-                       return loaded;
-                     },
-                 .side = 1,
-                 .coarse_when_slow = false});
+  Viewer viewer(window.context().gl(), ShaderLibrary{}, with_small_molar());
   viewer.open({});
   std::stop_source stop;
   std::jthread closer([&stop] {

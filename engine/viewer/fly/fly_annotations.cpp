@@ -12,6 +12,7 @@
 #include "engine/ui/drawing.h"
 #include "engine/ui/theme.h"
 #include "engine/viewer/fly/inset.h"
+#include "engine/viewer/fly/on_wall.h"
 
 namespace odontoscope {
 
@@ -72,22 +73,27 @@ std::vector<DrawnLabel> drawn_labels(const FlyState& fly, const ViewerState& sta
   const double slice = pictures.width > 0 ? slice_height * scale + 8 * scale : 0;
   pictures.top -= slice;
   pictures.height += slice;
+  const double beside_compass = 176 * scale;
+  const Area compass{pane.area.left + pane.area.width - beside_compass, pane.area.top, beside_compass, beside_compass};
   const double farthest_depth = 0.5 * state.shown->model.radius_mm;  // beyond, numbers would crowd
+  const WallNumber on_wall = told_on_wall(state.settings.comfort);
   std::vector<DrawnLabel> drawn;
   for (const SeenLabel& seen : seen_labels(fly.labels, pane.camera, pane.area.aspect(), walls, slack)) {
     const FlightLabel& label = fly.labels[seen.label];
-    if (label.depth && (!state.settings.comfort.wall_depth || seen.distance > farthest_depth)) continue;
+    const bool number = label.number != WallNumber::none;
+    if (number && (label.number != on_wall || seen.distance > farthest_depth)) continue;
     const glm::dvec2 at = pixel_of(pane.area, seen.place);
-    const ImFont* font = label.depth ? interface.small : interface.bold;
+    const ImFont* font = number ? interface.small : interface.bold;
     const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, interface.say(label.words).c_str());
-    const float width = extent.x + (label.depth ? 10 : 18) * scale, height = extent.y + (label.depth ? 4 : 10) * scale;
+    const float width = extent.x + (number ? 10 : 18) * scale, height = extent.y + (number ? 4 : 10) * scale;
     const ImVec2 right = vec(at.x + 12 * scale, at.y - height / 2), left{right.x - 24 * scale - width, right.y};
     const auto fits = [&](const ImVec2& low) {
       const Area box{low.x, low.y, width, height};
       const auto over = [&](const DrawnLabel& other) {
         return overlap(box, {other.low.x, other.low.y, other.high.x - other.low.x, other.high.y - other.low.y});
       };
-      return within(box, pane.area) && !overlap(box, pictures) && std::none_of(drawn.begin(), drawn.end(), over);
+      return within(box, pane.area) && !overlap(box, pictures) && !overlap(box, compass) &&
+             std::none_of(drawn.begin(), drawn.end(), over);
     };
     if (!fits(right) && !fits(left)) continue;
     const ImVec2 low = fits(right) ? right : left;
@@ -105,7 +111,7 @@ void draw_labels(const FlyState& fly, const ViewerState& state, const ViewPane& 
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const auto drawn = drawn_labels(fly, state, pane, interface, scale);
   for (auto label = drawn.rbegin(); label != drawn.rend(); ++label) {
-    if (label->label->depth) {
+    if (label->label->number != WallNumber::none) {
       list.AddRectFilled(label->low, label->high, faded(theme::rgb(0x14181c, 150), label->opacity), 4 * scale);
       list.AddText(interface.small, interface.small->FontSize, {label->low.x + 5 * scale, label->low.y + 2 * scale},
                    faded(theme::text, label->opacity), interface.say(label->label->words).c_str());

@@ -11,6 +11,7 @@
 
 #include "engine/navigate/moves.h"
 #include "engine/navigate/screen.h"
+#include "engine/navigate/thickness_colours.h"
 #include "engine/navigate/wall_depth.h"
 #include "engine/viewer/fly/fly_annotations.h"
 #include "engine/viewer/fly/fly_panel.h"
@@ -129,6 +130,7 @@ void FlyMode::arrive(std::optional<std::size_t> cavity, const Flight& flight) {
   fly_.flight = flight;
   fly_.trail = {flight.eye};
   fly_.ride.reset();
+  fly_.view_deg.reset();
   fly_.labels = cavity ? labels_inside(state_.shown->flight->cavities[*cavity])
                        : labels_outside(state_.shown->model, *state_.shown->flight);
   state_.scene = fly_.scene_before;
@@ -139,18 +141,29 @@ void FlyMode::arrive(std::optional<std::size_t> cavity, const Flight& flight) {
     state_.scene.occlusion = {.on = true, .strength = 1.1f, .reach = crevice_reach};
     const auto depths = depth_labels(state_.shown->flight->cavities[*cavity], state_.shown->model.depth_step_mm);
     fly_.labels.insert(fly_.labels.end(), depths.begin(), depths.end());
+    const auto thin = thickness_labels(state_.shown->flight->cavities[*cavity]);
+    fly_.labels.insert(fly_.labels.end(), thin.begin(), thin.end());
   }
   see();
 }
 
 void FlyMode::see() {
-  if (fly_.cavity) state_.scene.wall_depth = state_.settings.comfort.wall_depth;
-  const double aspect = at_.front().area.aspect(), angle = state_.settings.comfort.field_of_view_deg;
+  if (fly_.cavity) {
+    state_.scene.wall_depth = state_.settings.comfort.wall_depth;
+    state_.scene.wall_thickness = state_.settings.comfort.wall_thickness;
+  }
+  const double aspect = at_.front().area.aspect(),
+               angle = fly_.view_deg.value_or(state_.settings.comfort.field_of_view_deg);
   const double ahead = walls().free_distance(fly_.flight.eye, fly_.flight.view_direction);
   state_.scene.camera = camera_of(fly_.flight, angle, std::isfinite(ahead) ? ahead : state_.shown->model.radius_mm);
   // Wide enough for pictures of another shape, too.
   state_.scene.camera.near_mm =
       safe_near_mm(state_.shown->flight->rules.clearance, angle, std::max(aspect, widest_picture));
+}
+
+void FlyMode::see_as(double field_of_view_deg) {
+  fly_.view_deg = field_of_view_deg;
+  see();
 }
 
 void FlyMode::go_out() {

@@ -38,6 +38,8 @@ class FlyMode final : public Mode {
   void arrive(std::optional<std::size_t> cavity, const Flight& flight);
   /// The camera that the flight has now.
   void see();
+  /// With this angle of view, until one arrives elsewhere or changes one's own.
+  void see_as(double field_of_view_deg);
   /// No key is held any more, nor the mouse.
   void let_go();
 

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 
+#include "engine/navigate/thickness_colours.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
 #include "engine/viewer/fly/fly_annotations.h"
+#include "engine/viewer/fly/on_wall.h"
 #include "engine/viewer/panel.h"
 
 namespace odontoscope {
@@ -55,24 +57,43 @@ void ride_section(FlyState& fly, ViewerState& state, const Interface& interface)
   widgets::remark(interface, "Arrow keys or a drag look around on the way; any key that flies leaves it.");
 }
 
+/// What the wall tells, and what that means.
+void on_wall(ViewerState& state, const Interface& interface) {
+  Comfort& comfort = state.settings.comfort;
+  const Model& model = state.shown->model;
+  if (!tells_thickness(model)) {
+    widgets::toggle("Depth on the wall (G)", comfort.wall_depth);
+  } else {
+    widgets::text("On the wall (G)");
+    int chosen = static_cast<int>(told_on_wall(comfort));
+    if (widgets::choice("on the wall", chosen, {"Nothing", "Depth", "Thickness"}))
+      tell_on_wall(comfort, static_cast<WallNumber>(chosen));
+  }
+  const WallNumber told = told_on_wall(comfort);
+  if (told == WallNumber::depth)
+    widgets::remark(interface, fmt::format("Below the orifice: a ring every {:.0f} mm, a bold one every {:.0f}. Amber "
+                                           "near the crown, teal and blue towards the apex.",
+                                           model.depth_step_mm, 5 * model.depth_step_mm));
+  if (told == WallNumber::thickness)
+    widgets::remark(interface, tells_thickness(model)
+                                   ? thickness_in_words(model)
+                                   : "Of this model no thickness is known: its walls have no outside.");
+}
+
 void where_section(FlyState& fly, ViewerState& state, const Interface& interface) {
   if (!widgets::section(interface, "Where am I")) return;
   widgets::remark(interface, where_in_words(fly, state));
   if (const std::string measured = measured_in_words(fly, state); !measured.empty())
     widgets::remark(interface, measured);
   widgets::toggle("Names (B)", fly.habits.labels);
-  widgets::toggle("Depth on the wall (G)", state.settings.comfort.wall_depth);
-  if (state.settings.comfort.wall_depth)
-    widgets::remark(interface, fmt::format("Below the orifice: a ring every {:.0f} mm, a bold one every {:.0f}. Amber "
-                                           "near the crown, teal and blue towards the apex.",
-                                           state.shown->model.depth_step_mm, 5 * state.shown->model.depth_step_mm));
+  on_wall(state, interface);
   widgets::toggle("Tooth and slice, small (H)", fly.habits.inset);
 }
 
-void comfort_section(ViewerState& state, const Interface& interface) {
+void comfort_section(FlyState& fly, ViewerState& state, const Interface& interface) {
   if (!widgets::section(interface, "Comfort", false)) return;
   Comfort& comfort = state.settings.comfort;
-  widgets::slider("Angle of view", comfort.field_of_view_deg, 40, 110, "%.0f\xC2\xB0");
+  if (widgets::slider("Angle of view", comfort.field_of_view_deg, 40, 110, "%.0f\xC2\xB0")) fly.view_deg.reset();
   widgets::slider("Speed limit", comfort.speed_limit, 0.5, 24, "%.1f \xC3\x97");
   widgets::toggle("Dark rim while turning", comfort.vignette);
   widgets::toggle("Reduced motion", comfort.reduced_motion);
@@ -103,7 +124,7 @@ void fly_sections(FlyState& fly, ViewerState& state, const Interface& interface)
   flight_section(fly, state, interface);
   ride_section(fly, state, interface);
   where_section(fly, state, interface);
-  comfort_section(state, interface);
+  comfort_section(fly, state, interface);
 }
 
 }  // namespace odontoscope

@@ -31,6 +31,7 @@ struct FlyState {
   glm::dvec3 view_before{0};      // since the frame before
   std::vector<glm::dvec3> trail;  // where the eye was, one place every few clearances
   Scene scene_before;
+  std::optional<double> view_deg;  // the angle of view of the note that led here; none: the person's own
 
   std::optional<Ride> ride;               // along a canal; any key that flies ends it
   std::optional<std::size_t> ride_asked;  // of rideable(), begun in the next frame

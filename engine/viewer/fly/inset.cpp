@@ -9,14 +9,15 @@ namespace odontoscope {
 
 namespace {
 
-constexpr double inset_width = 190, inset_height = 230, inset_margin = 20, inset_above = 62;  // interface pixels
-constexpr int inset_side = 2;  // samples a pixel along one axis: drawn once, so fine
+constexpr double inset_width = 190, inset_height = 230, inset_margin = 20, inset_above = 62,
+                 compass_below = 180;  // interface pixels
+constexpr int inset_side = 2;          // samples a pixel along one axis: drawn once, so fine
 
 }  // namespace
 
 Area inset_area(const ViewPane& pane, float scale) {
   const double width = inset_width * scale, height = inset_height * scale;
-  if (pane.area.width < 2.6 * width || pane.area.height < 1.6 * height) return {};
+  if (pane.area.width < 2.6 * width || pane.area.height < height + (inset_above + compass_below) * scale) return {};
   return {std::round(pane.area.left + pane.area.width - width - inset_margin * scale),
           std::round(pane.area.top + pane.area.height - height - inset_above * scale), std::round(width),
           std::round(height)};

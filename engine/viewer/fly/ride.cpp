@@ -6,7 +6,9 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "engine/navigate/thickness_colours.h"
 #include "engine/viewer/fly/fly_mode.h"
+#include "engine/viewer/fly/on_wall.h"
 #include "engine/viewer/workspace.h"
 
 namespace odontoscope {
@@ -99,7 +101,7 @@ bool FlyMode::perform_on_ride(Action action) {
       fly_.habits.labels = !fly_.habits.labels;
       return true;
     case Action::toggle_depth:
-      state_.settings.comfort.wall_depth = !state_.settings.comfort.wall_depth;
+      next_on_wall(state_.settings.comfort, tells_thickness(state_.shown->model));
       return true;
     case Action::toggle_where:
       fly_.habits.inset = !fly_.habits.inset;

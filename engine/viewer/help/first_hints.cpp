@@ -18,8 +18,8 @@ namespace odontoscope {
 
 namespace {
 
-constexpr double turned_cosine = 0.985;  // some ten degrees
-constexpr double compass_width = 170;    // interface pixels
+constexpr double turned_cosine = 0.985;       // some ten degrees
+constexpr double hints_beside_compass = 170;  // interface pixels
 
 bool has_canals(const ViewerState& state) {
   return state.shown->flight && !state.shown->flight->cavities.empty() &&
@@ -58,7 +58,7 @@ void FirstHints::draw(Workspace& at) const {
   const bool inside = has_canals(state);
   const std::array hints = {Hint{"Drag to turn", turned_}, Hint{inside ? "Click a canal" : "Click a name", clicked_},
                             Hint{inside ? "C: fly inside" : "A: fly around", flown_}};
-  const float room = static_cast<float>(viewport.width - (14 + compass_width) * scale);
+  const float room = static_cast<float>(viewport.width - (14 + hints_beside_compass) * scale);
   ImGui::SetNextWindowPos(
       {static_cast<float>(viewport.left) + 14 * scale, static_cast<float>(viewport.top) + 12 * scale});
   ImGui::SetNextWindowSize({0, 0});

@@ -141,7 +141,7 @@ void LoadMode::trouble_dialog() {
 }
 
 std::string stage_in_words(std::string_view stage) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 12> known = {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 13> known = {
       {{"read", "Reading the file"},
        {"contours", "Tracing contours through the volume"},
        {"simplify", "Leaving out points that say nothing"},
@@ -153,7 +153,8 @@ std::string stage_in_words(std::string_view stage) {
        {"certify", "Proving that the model is sound"},
        {"shade", "Smoothing the light"},
        {"prepare picking", "Preparing to measure"},
-       {"centre lines", "Finding the canals"}}};
+       {"centre lines", "Finding the canals"},
+       {"wall thickness", "Measuring how thick walls are"}}};
   for (const auto& [name, words] : known)
     if (stage == name) return std::string(words);
   return stage.empty() ? "Beginning" : fmt::format("Working: {}", stage);

@@ -9,9 +9,11 @@
 #include "engine/navigate/moves.h"
 #include "engine/navigate/screen.h"
 #include "engine/navigate/section_handle.h"
+#include "engine/navigate/thickness_colours.h"
 #include "engine/scene/fit_visible.h"
 #include "engine/ui/dialog.h"
 #include "engine/ui/widgets.h"
+#include "engine/viewer/fly/on_wall.h"
 #include "engine/viewer/look/annotations.h"
 #include "engine/viewer/look/look_panel.h"
 #include "engine/viewer/workspace.h"
@@ -80,6 +82,9 @@ bool LookMode::perform(Action action) {
     case Action::toggle_wire:
       scene.wire = !scene.wire;
       return true;
+    case Action::toggle_wall_thickness:
+      toggle_wall_thickness();
+      return true;
     case Action::toggle_section:
       toggle_section();
       return true;
@@ -96,6 +101,13 @@ void LookMode::toggle_projection() {
   const bool parallel = goal.projection == Camera::Projection::parallel;
   at_.jump_to(with_projection(goal, parallel ? Camera::Projection::perspective : Camera::Projection::parallel));
   state_.settings.projection = state_.scene.camera.projection;
+}
+
+void LookMode::toggle_wall_thickness() {
+  if (!tells_thickness(state_.shown->model))
+    notice("Of this model no thickness is known: it has no cavity, or one that is open.");
+  else
+    state_.scene.wall_thickness = !state_.scene.wall_thickness;
 }
 
 void LookMode::toggle_section() {
@@ -208,6 +220,7 @@ void LookMode::draw(DrawLayer layer, const DrawnPane& drawn) {
   const bool from_outside = at_.modes.effects().from_outside;
   if (layer == DrawLayer::marks && drawn.first && from_outside)  // in a canal, nothing lies at one depth
     draw_scale_bar(pane, at_.interface, scale);
+  if (layer == DrawLayer::marks && drawn.first) draw_thickness_legend(pane, state_, at_.interface, scale);
   if (layer != DrawLayer::front) return;
   if (looked_at_) draw_place(pane, *looked_at_, scale);
   if (drawn.last) {  // cameras are linked: one of each will do

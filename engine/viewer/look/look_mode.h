@@ -33,6 +33,7 @@ class LookMode final : public Mode {
   bool handle_shown() const;
   void lead_to(const glm::dvec3& place);
   void toggle_section();
+  void toggle_wall_thickness();
   void toggle_projection();
   void scroll(double notches);
   bool on_arrow(const KeyChanged& key);

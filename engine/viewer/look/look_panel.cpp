@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "engine/navigate/section_handle.h"
+#include "engine/navigate/thickness_colours.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
+#include "engine/viewer/fly/on_wall.h"
 #include "engine/viewer/panel.h"
 #include "recon/core/grouped.h"
 
@@ -243,6 +245,10 @@ void camera_section(ViewerState& state, const Interface& interface) {
   if (widgets::choice("projection", projection, {"Perspective", "Parallel"}))
     state.pending_actions.push_back(Action::toggle_projection);
   widgets::toggle("Names (H)", state.settings.names);
+  if (state.shown && tells_thickness(state.shown->model)) {
+    widgets::toggle("Thickness of the wall (I)", state.scene.wall_thickness);
+    if (state.scene.wall_thickness) widgets::remark(interface, thickness_in_words(state.shown->model));
+  }
   two_buttons(state.pending_actions, "Fit", Action::fit, "Three quarters", Action::view_three_quarter);
   int backdrop = static_cast<int>(state.settings.backdrop);
   if (widgets::choice("backdrop", backdrop, {"Dark", "Light", "White"})) {

@@ -65,7 +65,7 @@ void NotesMode::show_inside(const LessonNote& note) {
     FlyMode& fly = at_.modes.get<FlyMode>();
     fly.arrive(cavity, looking(camera.position, camera.target - camera.position, camera.up));
     state_.scene = of_model(note.scene_over(state_.scene, state_.scene), state_.shown->model);
-    fly.see();
+    fly.see_as(camera.field_of_view_deg);
   });
 }
 

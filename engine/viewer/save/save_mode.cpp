@@ -161,7 +161,10 @@ void SaveMode::section() {
   widgets::toggle("Transparent background", picture.transparent);
   if (widgets::wide_button("Take a picture", true)) state_.pending_actions.push_back(Action::take_picture);
   if (widgets::wide_button("Save camera and looks")) state_.pending_actions.push_back(Action::save_scene);
-  widgets::remark(at_.interface, "Files go to the folder that the viewer was started in.");
+  const std::filesystem::path& folder = at_.files.folder();
+  widgets::remark(at_.interface, folder.empty() ? "Files go to the folder that the viewer was started in."
+                                                : fmt::format("Files are saved in {}", folder.string()));
+  if (widgets::wide_button("Another folder\xE2\x80\xA6")) state_.pending_actions.push_back(Action::choose_save_folder);
 }
 
 }  // namespace odontoscope
