@@ -89,9 +89,13 @@ class Overlayer {
     for (auto edge = cdt_.finite_edges_begin(); edge != cdt_.finite_edges_end(); ++edge) {
       const Label one = label(edge->first), other = label(edge->first->neighbor(edge->second));
       if (one == other) continue;
-      pieces_.push_back({edge->first->vertex(Overlay::ccw(edge->second))->info().value,
-                         edge->first->vertex(Overlay::cw(edge->second))->info().value, Members{one} ^ Members{other}});
+      const auto [a, b] = std::minmax({edge->first->vertex(Overlay::ccw(edge->second))->info().value,
+                                       edge->first->vertex(Overlay::cw(edge->second))->info().value});
+      pieces_.push_back({a, b, Members{one} ^ Members{other}});
     }
+    // Which way round an edge is told, and when, depends on where its triangles lie in memory.
+    std::sort(pieces_.begin(), pieces_.end(),
+              [](const ContourPiece& p, const ContourPiece& q) { return std::pair(p.a, p.b) < std::pair(q.a, q.b); });
     part_labels_ = true;
     if (pieces_.empty()) return false;
     make_planar(points_, pieces_);
