@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recon/delaunay/constrained.h"
 #include "tests/delaunay/engine_checks.h"
+#include "tests/support/random_numbers.h"
 
 namespace odontoscope::test {
 namespace {
@@ -105,6 +107,31 @@ TEST(Narrow, BlocksFitBetweenSlicesAFewUnitsInTheLastPlaceApart) {
   double high = 1;
   for (int i = 0; i < 6; ++i) high = std::nextafter(high, 2);
   EXPECT_EQ(certified({{Slice{1, three_abreast()}, Slice{high, {square}}}, ""}).counts.constrained_slices, 1u);
+}
+
+/// The triangulation tells an edge from either side, as its triangles happen to lie in memory.
+TEST(Narrow, TheNearerPointIsTheSameFromBothSides) {
+  RandomNumbers random(1);
+  std::size_t asked = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Point2 a{random.between(-3, 3), random.between(-3, 3)}, b{random.between(-3, 3), random.between(-3, 3)};
+    const double x = b.x - a.x, y = b.y - a.y, height = random.between(0.01, 0.1);
+    const auto beside = [&](double share, double side) {
+      return Point2{a.x + share * x - side * height * y, a.y + share * y + side * height * x};
+    };
+    const std::vector<Point2> points{a, b, beside(random.between(0.4, 0.6), 1), beside(random.between(0.4, 0.6), -1)};
+    delaunay::Cdt cdt;
+    const std::vector<delaunay::Vertex> vertices = delaunay::insert_points(cdt, points, {0, 1, 2, 3});
+    cdt.insert_constraint(vertices[0], vertices[1]);
+    delaunay::Face face;
+    int k = 0;
+    if (!cdt.is_edge(vertices[0], vertices[1], face, k)) continue;
+    ++asked;
+    EXPECT_EQ(delaunay::encroacher(cdt, face, k),
+              delaunay::encroacher(cdt, face->neighbor(k), cdt.mirror_index(face, k)))
+        << i;
+  }
+  EXPECT_GT(asked, 1000u);
 }
 
 /// A bead in the hollow of a ring, all of 1e-162 mm: products of three such lengths are 0.
