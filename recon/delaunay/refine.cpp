@@ -189,7 +189,8 @@ class Conformer {
 Vertex encroacher(const Cdt& cdt, Face face, int i) {
   // Which of the edge's sides is asked about depends on where its triangles lie in memory, and rounded heights on which
   // end is the first.
-  const auto& [a, b] = std::minmax(face->vertex(Cdt::ccw(i))->point(), face->vertex(Cdt::cw(i))->point());
+  const auto ends = std::minmax(face->vertex(Cdt::ccw(i))->point(), face->vertex(Cdt::cw(i))->point());
+  const auto &a = ends.first, &b = ends.second;
   const auto height = [&](Vertex v) {
     return std::abs((b.x() - a.x()) * (v->point().y() - a.y()) - (b.y() - a.y()) * (v->point().x() - a.x()));
   };
