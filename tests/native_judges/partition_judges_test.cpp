@@ -202,7 +202,7 @@ TEST_P(Bite, ConvergesAsElementsBecomeFiner) {
   if (IsSkipped()) return;
   if (!elements::can_fill()) GTEST_SKIP() << "built without TetGen (libtet1.5-dev)";
   std::vector<double> works;
-  for (const double size : {3.0, 1.5}) {
+  for (const double size : {2.0, 1.0}) {
     Reconstruction model = bonded_tooth();
     mesh_elements(model, size);
     expect_bonded(*model.complex);
