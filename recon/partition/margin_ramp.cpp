@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 
+#include "recon/core/union_find.h"
 #include "recon/partition/limits.h"
 
 namespace odontoscope::partition {
@@ -55,58 +55,44 @@ double distance(Point2 from, const std::vector<Point2>& to) {
   return std::sqrt(least);
 }
 
-/// Triangles of one slice that end, those of one label that share corners together.
-class EndingFaces {
- public:
-  EndingFaces(const PartitionSlice& slice, const std::vector<std::uint32_t>& triangles) : slice_(slice) {
-    std::map<std::pair<std::uint32_t, Label>, std::size_t> first;
-    of_.resize(triangles.size());
-    std::iota(of_.begin(), of_.end(), std::size_t{0});
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-      for (const std::uint32_t p : slice.planar.triangles[triangles[i]].v) {
-        const auto [at, fresh] = first.try_emplace({p, slice.label(triangles[i])}, i);
-        if (!fresh) of_[root(i)] = root(at->second);
-      }
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      const auto& corners = slice.planar.triangles[triangles[i]].v;
-      auto& points = points_[root(i)];
-      points.insert(points.end(), corners.begin(), corners.end());
-    }
-    for (auto& [face, points] : points_) {
-      std::sort(points.begin(), points.end());
-      points.erase(std::unique(points.begin(), points.end()), points.end());
-    }
+/// Corners of the triangles, ascending, of those of one label that share corners together; by the first of them.
+std::map<std::uint32_t, std::vector<std::uint32_t>> corners_by_face(const PartitionSlice& slice,
+                                                                    const std::vector<std::uint32_t>& triangles) {
+  UnionFind faces(triangles.size());
+  std::map<std::pair<std::uint32_t, Label>, std::uint32_t> first;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+    for (const std::uint32_t p : slice.planar.triangles[triangles[i]].v)
+      faces.join(i, first.try_emplace({p, slice.label(triangles[i])}, i).first->second);
+  std::map<std::uint32_t, std::vector<std::uint32_t>> corners;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    const auto& v = slice.planar.triangles[triangles[i]].v;
+    auto& points = corners[faces.find(i)];
+    points.insert(points.end(), v.begin(), v.end());
   }
-
-  /// Their corners, ascending, by face.
-  const std::map<std::size_t, std::vector<std::uint32_t>>& points() const { return points_; }
-
- private:
-  std::size_t root(std::size_t i) {
-    while (of_[i] != i) i = of_[i] = of_[of_[i]];
-    return i;
+  for (auto& [face, points] : corners) {
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
   }
+  return corners;
+}
 
-  const PartitionSlice& slice_;
-  std::vector<std::size_t> of_;
-  std::map<std::size_t, std::vector<std::uint32_t>> points_;
-};
+/// Of those that meet there, the one that is neither the face's own nor void.
+Label neighbour(const Labels& meeting, Label own) { return meeting[1] == own ? meeting[2] : meeting[1]; }
 
 /// Adds those of one slice's points. `beyond`: the other slice's meetings.
 void add_ramps(const PartitionSlice& slice, const std::vector<std::uint32_t>& triangles, const Meetings& beyond,
                const Materials& materials, std::uint32_t offset, std::vector<RaisedShare>& shares) {
-  const EndingFaces faces(slice, triangles);
-  for (const auto& [face, points] : faces.points()) {
+  for (const auto& [face, points] : corners_by_face(slice, triangles)) {
     const Label own = slice.label(triangles[face]);
     Meetings here;
     for (const std::uint32_t p : points) {
       const Labels labels = labels_at(slice, p);
-      if (is_meeting(labels) && beyond.contains(labels) &&
-          materials.wins(labels[1] == own ? labels[2] : labels[1], own))
+      if (is_meeting(labels) && beyond.contains(labels) && materials.wins(neighbour(labels, own), own))
         here[labels].push_back(slice.planar.points[p]);
     }
     for (const std::uint32_t p : points) {
       const Point2 at = slice.planar.points[p];
+      const bool outside = labels_at(slice, p).front() == void_label;
       double nearest = std::numeric_limits<double>::infinity();
       RaisedShare one{p + offset};
       for (const auto& [labels, places] : here) {
@@ -114,9 +100,8 @@ void add_ramps(const PartitionSlice& slice, const std::vector<std::uint32_t>& tr
         if (from >= nearest) continue;
         nearest = from;
         const double way = from + distance(at, beyond.at(labels));
-        const bool outside = labels_at(slice, p).front() == void_label;
         one.share = outside && way > 0 ? limits::ramp_most * (from / way) : 0;
-        one.beside = labels[1] == own ? labels[2] : labels[1];
+        one.beside = neighbour(labels, own);
       }
       if (one.beside != void_label) shares.push_back(one);
     }
