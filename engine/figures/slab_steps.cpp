@@ -17,7 +17,9 @@ namespace {
 
 using delaunay::EdgeKind;
 using delaunay::Fate;
+using delaunay::SlabTetrahedra;
 using delaunay::SlabTetrahedron;
+using delaunay::TetIndex;
 
 double volume(const std::vector<Point3>& p, const Tetrahedron& t) {
   const auto from = [&](int i) { return Point3{p[t[i]].x - p[t[0]].x, p[t[i]].y - p[t[0]].y, p[t[i]].z - p[t[0]].z}; };
@@ -25,12 +27,16 @@ double volume(const std::vector<Point3>& p, const Tetrahedron& t) {
   return (a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x)) / 6;
 }
 
-std::vector<ReverseTetrahedron> reverse_among(const std::vector<SlabTetrahedron>& tetrahedra,
-                                              const std::vector<Point3>& points) {
+/// Points of a slab without further ones have the same numbers as in a mesh of it.
+Tetrahedron corners_of(const SlabTetrahedron& t) { return {t.v[0], t.v[1], t.v[2], t.v[3]}; }
+
+std::vector<ReverseTetrahedron> reverse_among(const SlabTetrahedra& tetrahedra, const std::vector<Point3>& points) {
   std::vector<ReverseTetrahedron> found;
   for (const SlabTetrahedron& t : tetrahedra) {
     if (t.lower_count != 2 || t.lower_edge == EdgeKind::contour || t.upper_edge == EdgeKind::contour) continue;
-    found.push_back({t.v, t.lower_edge == EdgeKind::internal, t.upper_edge == EdgeKind::internal, volume(points, t.v)});
+    const Tetrahedron corners = corners_of(t);
+    found.push_back(
+        {corners, t.lower_edge == EdgeKind::internal, t.upper_edge == EdgeKind::internal, volume(points, corners)});
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.volume > b.volume; });
   return found;
@@ -65,24 +71,24 @@ SlabSteps slab_steps(const ContourStack& stack) {
   const std::string structure = structures_of(sorted).front();
   const auto lower = delaunay::conform(sorted.slices[0], structure, 0, sorted.source, {});
   const auto upper = delaunay::conform(sorted.slices[1], structure, 1, sorted.source, {});
-  const std::vector<SlabTetrahedron> tetrahedra = delaunay::triangulate_slab(lower.planar, upper.planar);
+  const SlabTetrahedra tetrahedra = delaunay::triangulate_slab(lower.planar, upper.planar);
 
   SlabSteps steps;
   for (const Point2& p : lower.planar.points) steps.points.push_back({p.x, p.y, lower.z});
   for (const Point2& p : upper.planar.points) steps.points.push_back({p.x, p.y, upper.z});
-  std::vector<Fate> fate = delaunay::eliminate(tetrahedra, lower.planar, upper.planar);
-  for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
-    steps.delaunay.push_back(tetrahedra[t].v);
-    if (fate[t] == Fate::kept) steps.kept.push_back(tetrahedra[t].v);
+  delaunay::Fates fate = delaunay::eliminate(tetrahedra, lower.planar, upper.planar);
+  for (const TetIndex t : tetrahedra.indices()) {
+    steps.delaunay.push_back(corners_of(tetrahedra[t]));
+    if (fate[t] == Fate::kept) steps.kept.push_back(corners_of(tetrahedra[t]));
   }
   steps.reverse = reverse_among(tetrahedra, steps.points);
   steps.singular_edges = singular_edges(steps.points, steps.kept);
 
-  const std::vector<std::uint32_t> owner(tetrahedra.size(), 0);
+  const delaunay::Owners owner(tetrahedra.size(), 0);
   if (!delaunay::repair(tetrahedra, lower.planar, upper.planar, owner, fate))
     throw InternalError("a figure's slab cannot be repaired");
-  for (std::size_t t = 0; t < tetrahedra.size(); ++t)
-    if (fate[t] == Fate::restored) steps.restored.push_back(tetrahedra[t].v);
+  for (const TetIndex t : tetrahedra.indices())
+    if (fate[t] == Fate::restored) steps.restored.push_back(corners_of(tetrahedra[t]));
   delaunay::SlabSolid solid;
   if (!delaunay::lift(tetrahedra, fate, lower.planar, upper.planar, {lower.z, upper.z},
                       static_cast<std::uint32_t>(lower.planar.points.size()),

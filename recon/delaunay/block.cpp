@@ -37,18 +37,18 @@ std::optional<Levels> levels_between(SlabHeights heights) {
 bool points_down(Point2 from, Point2 to) { return to.y < from.y || (to.y == from.y && to.x < from.x); }
 
 /// The hull's points counter-clockwise, from the lowest of them on, the leftmost of the lowest.
-std::vector<std::uint32_t> hull_of(const Planar& planar) {
-  std::vector<std::uint32_t> next(planar.points.size(), none);
-  std::uint32_t start = none;
+std::vector<SlicePoint> hull_of(const Planar& planar) {
+  Table<SlicePoint, SlicePoint> next(planar.points.size(), none);
+  SlicePoint start;
   for (const PlanarTriangle& triangle : planar.triangles)
     for (int k = 0; k < 3; ++k) {
       if (triangle.nb[k] != none) continue;
-      const std::uint32_t a = triangle.v[(k + 1) % 3];
+      const SlicePoint a = triangle.v[(k + 1) % 3];
       next[a] = triangle.v[(k + 2) % 3];
       if (start == none || points_down(planar.points[start], planar.points[a])) start = a;
     }
-  std::vector<std::uint32_t> hull{start};
-  for (std::uint32_t p = next[start]; p != start; p = next[p]) hull.push_back(p);
+  std::vector<SlicePoint> hull{start};
+  for (SlicePoint p = next[start]; p != start; p = next[p]) hull.push_back(p);
   return hull;
 }
 
@@ -60,21 +60,21 @@ bool turns_earlier(Point2 a, Point2 b, Point2 c, Point2 d) {
 
 /// The faces of the hull of two convex polygons in parallel planes that lie in neither, counter-clockwise from outside;
 /// points of the upper one are counted on from those of the lower.
-std::vector<std::array<std::uint32_t, 3>> faces_around(const Planar& lower, const Planar& upper) {
-  const std::vector<std::uint32_t> below = hull_of(lower), above = hull_of(upper);
-  const auto offset = static_cast<std::uint32_t>(lower.points.size());
-  std::vector<std::array<std::uint32_t, 3>> faces;
+std::vector<std::array<SlabPoint, 3>> faces_around(const Planar& lower, const Planar& upper) {
+  const std::vector<SlicePoint> below = hull_of(lower), above = hull_of(upper);
+  const SlabNumbers numbers(lower);
+  std::vector<std::array<SlabPoint, 3>> faces;
   std::size_t i = 0, j = 0;
   while (i < below.size() || j < above.size()) {
-    const std::uint32_t a = below[i % below.size()], b = below[(i + 1) % below.size()];
-    const std::uint32_t c = above[j % above.size()], d = above[(j + 1) % above.size()];
+    const SlicePoint a = below[i % below.size()], b = below[(i + 1) % below.size()];
+    const SlicePoint c = above[j % above.size()], d = above[(j + 1) % above.size()];
     const bool along_lower = j == above.size() || (i < below.size() && turns_earlier(lower.points[a], lower.points[b],
                                                                                      upper.points[c], upper.points[d]));
     if (along_lower) {
-      faces.push_back({a, b, offset + c});
+      faces.push_back({numbers.of_lower(a), numbers.of_lower(b), numbers.of_upper(c)});
       ++i;
     } else {
-      faces.push_back({a, offset + d, offset + c});
+      faces.push_back({numbers.of_lower(a), numbers.of_upper(d), numbers.of_upper(c)});
       ++j;
     }
   }
@@ -89,15 +89,15 @@ class Block {
     for (const Point2 p : upper.points) points_.push_back({p.x, p.y, levels.high});
   }
 
-  const std::vector<std::array<std::uint32_t, 3>>& faces() const { return faces_; }
-  const std::vector<Point3>& points() const { return points_; }
+  const std::vector<std::array<SlabPoint, 3>>& faces() const { return faces_; }
+  const Table<SlabPoint, Point3>& points() const { return points_; }
 
   /// A point on the inner side of every face: the mean of the corners, or nearer to one of them.
   std::optional<Point3> inner_point() const {
     Point3 mean{0, 0, middle_};
     const double share = 1 / (3.0 * static_cast<double>(faces_.size()));
     for (const auto& face : faces_)
-      for (const std::uint32_t v : face) mean = {mean.x + points_[v].x * share, mean.y + points_[v].y * share, middle_};
+      for (const SlabPoint v : face) mean = {mean.x + points_[v].x * share, mean.y + points_[v].y * share, middle_};
     if (is_inner(mean)) return mean;
     for (double step = 0.5; step > limits::block_steps; step /= 2)
       for (const auto& face : faces_) {
@@ -114,8 +114,8 @@ class Block {
                        [&](const auto& f) { return orientation(points_[f[0]], points_[f[2]], points_[f[1]], p) > 0; });
   }
 
-  std::vector<std::array<std::uint32_t, 3>> faces_;
-  std::vector<Point3> points_;
+  std::vector<std::array<SlabPoint, 3>> faces_;
+  Table<SlabPoint, Point3> points_;
   double middle_;
 };
 
@@ -142,15 +142,15 @@ Blocked block(const Planar& lower, const Planar& upper, SlabHeights heights, std
     fan(t.v[0], t.v[1], t.v[2]);
     if (t.region == none) continue;
     add_prism(
-        t, [&](std::uint32_t p) { return lower.slice_point[p]; }, [&](std::uint32_t p) { return first + p; },
+        t, [&](SlicePoint p) { return lower.slice_point[p]; }, [&](SlicePoint p) { return first + p; },
         Thickened::upwards, solid.tetrahedra);
   }
   for (const PlanarTriangle& t : upper.triangles) {
     fan(in_lower + t.v[0], in_lower + t.v[2], in_lower + t.v[1]);
     if (t.region == none) continue;
     add_prism(
-        t, [&](std::uint32_t p) { return whole_lower + upper.slice_point[p]; },
-        [&](std::uint32_t p) { return first + in_lower + p; }, Thickened::downwards, solid.tetrahedra);
+        t, [&](SlicePoint p) { return whole_lower + upper.slice_point[p]; },
+        [&](SlicePoint p) { return first + in_lower + p; }, Thickened::downwards, solid.tetrahedra);
   }
   solid.raised = true;
   return Blocked::yes;

@@ -17,14 +17,14 @@ namespace {
 [[noreturn]] void broken(const std::string& what) { throw InternalError("certificate: " + what); }
 
 /// The spoke from a to b in a slice; null if the triangulation has no such edge.
-const Spoke* edge(const Planar& planar, std::uint32_t a, std::uint32_t b) {
-  for (std::uint32_t s = planar.first_spoke[a]; s < planar.first_spoke[a + 1]; ++s)
+const Spoke* edge(const Planar& planar, SlicePoint a, SlicePoint b) {
+  for (const SpokeIndex s : planar.spokes_of(a))
     if (planar.spokes[s].vertex == b) return &planar.spokes[s];
   return nullptr;
 }
 
 /// Is (a, b, c), counter-clockwise, an internal triangle of the slice?
-bool internal_triangle(const Planar& planar, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+bool internal_triangle(const Planar& planar, SlicePoint a, SlicePoint b, SlicePoint c) {
   const Spoke* spoke = edge(planar, a, b);
   if (!spoke || !planar.inside(spoke->triangle)) return false;
   const auto& v = planar.triangles[spoke->triangle].v;
@@ -33,7 +33,7 @@ bool internal_triangle(const Planar& planar, std::uint32_t a, std::uint32_t b, s
 }
 
 /// May these corners of a tetrahedron lie in the slice's plane together?
-bool belongs(const Planar& planar, const std::vector<std::uint32_t>& in_plane) {
+bool belongs(const Planar& planar, const std::vector<SlicePoint>& in_plane) {
   if (in_plane.size() < 2) return true;
   if (in_plane.size() == 2) {
     const Spoke* spoke = edge(planar, in_plane[0], in_plane[1]);
@@ -52,7 +52,7 @@ void certify_slab(const SolvedStack& stack, const Numbering& numbering, const As
   const std::uint32_t low = numbering.slice_begin[k], high = numbering.slice_begin[k + 1];
   FaceTable table(slab.tetrahedra.size() * 4);
   constexpr std::uint32_t twice = FaceTable::vacant - 1;
-  std::vector<std::uint32_t> in_lower, in_upper;
+  std::vector<SlicePoint> in_lower, in_upper;
   for (const Tetrahedron& tet : slab.tetrahedra) {
     if (orientation(mesh.points[tet[0]], mesh.points[tet[1]], mesh.points[tet[2]], mesh.points[tet[3]]) <= 0)
       broken(fmt::format("a tetrahedron between slices {} and {} is not positive", k, k + 1));
@@ -61,8 +61,8 @@ void certify_slab(const SolvedStack& stack, const Numbering& numbering, const As
     for (const std::uint32_t v : tet) {
       const double z = mesh.points[v].z;
       if (!(z >= lower.z && z <= upper.z)) broken(fmt::format("a point leaves the slab above slice {}", k));
-      if (z == lower.z) in_lower.push_back(v - low);
-      if (z == upper.z) in_upper.push_back(v - high);
+      if (z == lower.z) in_lower.emplace_back(v - low);
+      if (z == upper.z) in_upper.emplace_back(v - high);
     }
     if (!belongs(lower.planar, in_lower) || !belongs(upper.planar, in_upper))
       broken(fmt::format("the solid touches the plane of slice {} or {} outside its regions", k, k + 1));
@@ -81,15 +81,16 @@ void certify_slice(const SolvedStack& stack, const Numbering& numbering, const A
                    const AssembledSlab* above, std::size_t k) {
   const Planar& planar = stack.slices[k].planar;
   const std::uint32_t first = numbering.slice_begin[k];
-  std::vector<bool> covered(planar.triangles.size(), false);
+  Table<TriangleIndex, bool> covered(planar.triangles.size(), false);
   const auto cover = [&](const std::vector<Triangle>& faces, int& sides) {
     for (const Triangle& face : faces) {
-      const Spoke* spoke = edge(planar, face[0] - first, face[1] - first);
-      const Spoke* reverse = edge(planar, face[1] - first, face[0] - first);
+      const SlicePoint a(face[0] - first), b(face[1] - first), c(face[2] - first);
+      const Spoke* spoke = edge(planar, a, b);
+      const Spoke* reverse = edge(planar, b, a);
       for (const Spoke* s : {spoke, reverse})
         if (s && s->triangle != none) {
           const auto& v = planar.triangles[s->triangle].v;
-          if (std::find(v.begin(), v.end(), face[2] - first) != v.end()) covered[s->triangle] = true;
+          if (std::find(v.begin(), v.end(), c) != v.end()) covered[s->triangle] = true;
         }
     }
     ++sides;
@@ -97,12 +98,12 @@ void certify_slice(const SolvedStack& stack, const Numbering& numbering, const A
   int sides = 0;
   if (below) cover(below->ceiling, sides);
   if (above) cover(above->floor, sides);
-  for (std::uint32_t t = 0; t < planar.triangles.size(); ++t) {
+  for (const TriangleIndex t : planar.triangles.indices()) {
     const PlanarTriangle& triangle = planar.triangles[t];
     if (triangle.region == none) continue;
     if (!covered[t]) broken(fmt::format("a region of slice {} is not filled", k));
     for (int i = 0; i < 3; ++i) {
-      const std::uint32_t a = triangle.v[(i + 1) % 3], b = triangle.v[(i + 2) % 3];
+      const SlicePoint a = triangle.v[(i + 1) % 3], b = triangle.v[(i + 2) % 3];
       const bool inside_beyond = planar.inside(triangle.nb[i]);
       if (inside_beyond == planar.contour_edge(a, b))
         broken(fmt::format("the regions of slice {} do not end at its contours", k));
@@ -114,16 +115,16 @@ void certify_contours(const ConformedSlice& conformed, const Slice& given) {
   const auto& points = conformed.planar.points;
   for (std::size_t c = 0; c < conformed.contour_number.size(); ++c) {
     const auto& contour = given.contours[conformed.contour_number[c]].points;
-    std::uint32_t at = conformed.first_point[c];
-    const std::uint32_t end = conformed.first_point[c + 1];
+    SlicePoint at = conformed.first_point[c];
+    const SlicePoint end = conformed.first_point[c + 1];
     for (std::size_t p = 0; p < contour.size(); ++p, ++at) {
       if (at >= end || !(points[at] == contour[p])) broken("a point of a contour was lost or moved");
       const Point2 a = contour[p], b = contour[(p + 1) % contour.size()];
       const double size = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
       // An added point is a mean of the ends of its given edge: two shares, two products and a sum are rounded.
       const double rounding = 4 * std::numeric_limits<double>::epsilon() * size;
-      for (; at + 1 < end && !(p + 1 < contour.size() && points[at + 1] == b); ++at) {
-        const Point2 s = points[at + 1];
+      for (; at + 1 < end && !(p + 1 < contour.size() && points[SlicePoint(at + 1)] == b); ++at) {
+        const Point2 s = points[SlicePoint(at + 1)];
         const double length = portable::hypot(b.x - a.x, b.y - a.y);
         const double off = std::abs((b.x - a.x) * (s.y - a.y) - (b.y - a.y) * (s.x - a.x)) / length;
         if (!(off <= rounding)) broken("a point was added beside its contour");

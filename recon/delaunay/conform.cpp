@@ -14,20 +14,20 @@ namespace {
 // Regions spread over triangles from the left of each contour edge, never across one. A region takes the number that
 // `region_of_contour` gives to the contour where its spreading begins.
 template <class Visit>
-void spread(Planar& planar, std::uint32_t seed, std::uint32_t region, Visit visit) {
-  std::vector<std::uint32_t> stack{seed};
+void spread(Planar& planar, TriangleIndex seed, std::uint32_t region, Visit visit) {
+  std::vector<TriangleIndex> stack{seed};
   planar.triangles[seed].region = region;
   while (!stack.empty()) {
-    const std::uint32_t t = stack.back();
+    const TriangleIndex t = stack.back();
     stack.pop_back();
     for (int k = 0; k < 3; ++k) {
       const PlanarTriangle& triangle = planar.triangles[t];
-      const std::uint32_t a = triangle.v[(k + 1) % 3], b = triangle.v[(k + 2) % 3];
+      const SlicePoint a = triangle.v[(k + 1) % 3], b = triangle.v[(k + 2) % 3];
       if (planar.contour_edge(a, b)) {
         visit(a);
         continue;
       }
-      const std::uint32_t other = triangle.nb[k];
+      const TriangleIndex other = triangle.nb[k];
       if (other == none) throw InternalError("a region reaches the hull without a contour");
       if (planar.triangles[other].region != none) continue;
       planar.triangles[other].region = region;
@@ -40,7 +40,7 @@ Planar start_planar(Rings rings) {
   Planar planar;
   planar.next = rings.next();
   planar.previous.resize(planar.next.size());
-  for (std::uint32_t p = 0; p < planar.next.size(); ++p) planar.previous[planar.next[p]] = p;
+  for (const SlicePoint p : planar.next.indices()) planar.previous[planar.next[p]] = p;
   planar.points = std::move(rings.points);
   planar.slice_point.resize(planar.points.size());
   std::iota(planar.slice_point.begin(), planar.slice_point.end(), 0u);
@@ -49,26 +49,26 @@ Planar start_planar(Rings rings) {
 }
 
 /// Sorted by `group_of`: of group g, list[first[g]] to list[first[g + 1]], ascending. What has group none is left out.
-template <class GroupOf>
-void sort_by_group(std::size_t groups, std::size_t count, GroupOf group_of, std::vector<std::uint32_t>& first,
-                   std::vector<std::uint32_t>& list) {
+template <class I, class GroupOf>
+void sort_by_group(std::size_t groups, Indices<I> all, GroupOf group_of, std::vector<std::uint32_t>& first,
+                   std::vector<I>& list) {
   first.assign(groups + 1, 0);
-  for (std::uint32_t i = 0; i < count; ++i)
+  for (const I i : all)
     if (group_of(i) != none) ++first[group_of(i) + 1];
   for (std::size_t g = 0; g < groups; ++g) first[g + 1] += first[g];
   list.resize(first[groups]);
   std::vector<std::uint32_t> fill(first.begin(), first.end() - 1);
-  for (std::uint32_t i = 0; i < count; ++i)
+  for (const I i : all)
     if (group_of(i) != none) list[fill[group_of(i)]++] = i;
 }
 
 RegionLists lists_of(const Planar& planar, std::size_t regions) {
   RegionLists lists;
   sort_by_group(
-      regions, planar.points.size(), [&](std::uint32_t p) { return planar.region_of[p]; }, lists.first_point,
+      regions, planar.points.indices(), [&](SlicePoint p) { return planar.region_of[p]; }, lists.first_point,
       lists.points);
   sort_by_group(
-      regions, planar.triangles.size(), [&](std::uint32_t t) { return planar.triangles[t].region; },
+      regions, planar.triangles.indices(), [&](TriangleIndex t) { return planar.triangles[t].region; },
       lists.first_triangle, lists.triangles);
   lists.rank.resize(planar.points.size());
   for (std::uint32_t i = 0; i < planar.insertion_order.size(); ++i) lists.rank[planar.insertion_order[i]] = i;
@@ -76,9 +76,10 @@ RegionLists lists_of(const Planar& planar, std::size_t regions) {
 }
 
 /// The entries of the chosen groups, ascending.
-std::vector<std::uint32_t> gathered(const std::vector<std::uint32_t>& chosen, const std::vector<std::uint32_t>& first,
-                                    const std::vector<std::uint32_t>& list) {
-  std::vector<std::uint32_t> all;
+template <class I>
+std::vector<I> gathered(const std::vector<std::uint32_t>& chosen, const std::vector<std::uint32_t>& first,
+                        const std::vector<I>& list) {
+  std::vector<I> all;
   for (const std::uint32_t g : chosen) all.insert(all.end(), list.begin() + first[g], list.begin() + first[g + 1]);
   std::sort(all.begin(), all.end());
   return all;
@@ -107,7 +108,7 @@ Rings rings_of(const Slice& slice, const ConformedSlice& chosen) {
   for (const std::size_t c : chosen.contour_number) {
     const auto& points = slice.contours[c].points;
     rings.points.insert(rings.points.end(), points.begin(), points.end());
-    rings.first_point.push_back(static_cast<std::uint32_t>(rings.points.size()));
+    rings.first_point.emplace_back(rings.points.size());
   }
   return rings;
 }
@@ -115,7 +116,7 @@ Rings rings_of(const Slice& slice, const ConformedSlice& chosen) {
 struct Triangulated {
   Rings rings;
   Cdt cdt;
-  std::vector<std::uint32_t> order;
+  std::vector<SlicePoint> order;
 };
 
 /// Finds the regions, and leaves everything in arrays.
@@ -129,14 +130,14 @@ void finish(const Slice& slice, Triangulated& made, ConformedSlice& result) {
   Planar& planar = result.planar = start_planar(std::move(made.rings));
   planar.insertion_order = std::move(made.order);
   copy_triangles(made.cdt, planar);
-  const std::vector<std::uint32_t> left = left_triangles(planar);
+  const Table<SlicePoint, TriangleIndex> left = left_triangles(planar);
   for (std::size_t c = 0; c < result.contour_number.size(); ++c) {
     if (!counter_clockwise(slice.contours[result.contour_number[c]])) continue;
-    const std::uint32_t seed = left[result.first_point[c]];
+    const TriangleIndex seed = left[result.first_point[c]];
     if (seed == none) throw InternalError("a contour edge is missing from the triangulation");
     const auto region = static_cast<std::uint32_t>(result.outer_contour.size());
     result.outer_contour.push_back(static_cast<std::uint32_t>(c));
-    spread(planar, seed, region, [&planar, region](std::uint32_t p) { planar.region_of[p] = region; });
+    spread(planar, seed, region, [&planar, region](SlicePoint p) { planar.region_of[p] = region; });
   }
   if (std::count(planar.region_of.begin(), planar.region_of.end(), none) != 0)
     throw InternalError("a contour bounds no region");
@@ -148,17 +149,18 @@ void finish(const Slice& slice, Triangulated& made, ConformedSlice& result) {
 
 void copy_triangles(const Cdt& cdt, Planar& planar) {
   std::uint32_t count = 0;
-  for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face) face->info().value = count++;
+  for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face)
+    face->info() = TriangleIndex(count++);
   planar.triangles.resize(count);
   planar.centres.resize(count);
   for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face) {
-    PlanarTriangle& triangle = planar.triangles[face->info().value];
+    PlanarTriangle& triangle = planar.triangles[face->info()];
     for (int i = 0; i < 3; ++i) {
-      triangle.v[i] = face->vertex(i)->info().value;
+      triangle.v[i] = face->vertex(i)->info();
       const Face other = face->neighbor(i);
-      triangle.nb[i] = cdt.is_infinite(other) ? none : other->info().value;
+      triangle.nb[i] = cdt.is_infinite(other) ? TriangleIndex() : other->info();
     }
-    planar.centres[face->info().value] =
+    planar.centres[face->info()] =
         circumcentre(planar.points[triangle.v[0]], planar.points[triangle.v[1]], planar.points[triangle.v[2]]);
   }
 }
@@ -195,12 +197,12 @@ ConformedSlice constrained(const Slice& slice, const std::string& structure, std
 Planar part_of(const ConformedSlice& slice, const std::vector<std::uint32_t>& chosen) {
   const Planar& whole = slice.planar;
   const RegionLists& lists = slice.by_region;
-  const std::vector<std::uint32_t> points = gathered(chosen, lists.first_point, lists.points);
-  const auto number = [&points](std::uint32_t p) {
-    return static_cast<std::uint32_t>(std::lower_bound(points.begin(), points.end(), p) - points.begin());
+  const std::vector<SlicePoint> points = gathered(chosen, lists.first_point, lists.points);
+  const auto number = [&points](SlicePoint p) {
+    return SlicePoint(std::lower_bound(points.begin(), points.end(), p) - points.begin());
   };
   Planar part;
-  for (const std::uint32_t p : points) {
+  for (const SlicePoint p : points) {
     part.points.push_back(whole.points[p]);
     part.slice_point.push_back(whole.slice_point[p]);
     part.region_of.push_back(whole.region_of[p]);
@@ -209,25 +211,25 @@ Planar part_of(const ConformedSlice& slice, const std::vector<std::uint32_t>& ch
   }
   part.insertion_order = points;
   std::sort(part.insertion_order.begin(), part.insertion_order.end(),
-            [&lists](std::uint32_t a, std::uint32_t b) { return lists.rank[a] < lists.rank[b]; });
-  for (std::uint32_t& p : part.insertion_order) p = number(p);
+            [&lists](SlicePoint a, SlicePoint b) { return lists.rank[a] < lists.rank[b]; });
+  for (SlicePoint& p : part.insertion_order) p = number(p);
 
   // Every edge of the regions' triangles is constrained, so that cocircular points are cut the same way as in the
   // whole.
   Cdt cdt;
-  const std::vector<Vertex> vertices = insert_points(cdt, part.points, part.insertion_order);
-  for (const std::uint32_t t : gathered(chosen, lists.first_triangle, lists.triangles)) {
+  const Table<SlicePoint, Vertex> vertices = insert_points(cdt, part.points, part.insertion_order);
+  for (const TriangleIndex t : gathered(chosen, lists.first_triangle, lists.triangles)) {
     const PlanarTriangle& triangle = whole.triangles[t];
     for (int k = 0; k < 3; ++k) {
-      const std::uint32_t a = number(triangle.v[(k + 1) % 3]), b = number(triangle.v[(k + 2) % 3]);
+      const SlicePoint a = number(triangle.v[(k + 1) % 3]), b = number(triangle.v[(k + 2) % 3]);
       if (a < b || part.contour_edge(a, b)) cdt.insert_constraint(vertices[a], vertices[b]);
     }
   }
   copy_triangles(cdt, part);
-  const std::vector<std::uint32_t> left = left_triangles(part);
-  for (std::uint32_t p = 0; p < part.points.size(); ++p) {
+  const Table<SlicePoint, TriangleIndex> left = left_triangles(part);
+  for (const SlicePoint p : part.points.indices()) {
     if (left[p] == none) throw InternalError("a contour edge is missing from a component's triangulation");
-    if (part.triangles[left[p]].region == none) spread(part, left[p], part.region_of[p], [](std::uint32_t) {});
+    if (part.triangles[left[p]].region == none) spread(part, left[p], part.region_of[p], [](SlicePoint) {});
   }
   collect_spokes(part);
   return part;

@@ -23,10 +23,11 @@ namespace odontoscope::delaunay {
 
 /// Points and triangles sorted by region, so that a few regions of many are found without a look at all.
 struct RegionLists {
-  std::vector<std::uint32_t> first_point,
-      points;  // of region r: points[first_point[r]] to points[first_point[r + 1]], ascending
-  std::vector<std::uint32_t> first_triangle, triangles;  // the same
-  std::vector<std::uint32_t> rank;                       // of each point: its place in Planar::insertion_order
+  std::vector<std::uint32_t> first_point;  // of region r: points[first_point[r]] to points[first_point[r + 1]], ...
+  std::vector<SlicePoint> points;          // ... ascending
+  std::vector<std::uint32_t> first_triangle;
+  std::vector<TriangleIndex> triangles;   // the same
+  Table<SlicePoint, std::uint32_t> rank;  // of each point: its place in Planar::insertion_order
 };
 
 struct ConformedSlice {
@@ -34,7 +35,7 @@ struct ConformedSlice {
   Planar planar;  // of all contours of one structure
   RegionLists by_region;
   std::vector<std::size_t> contour_number;   // of each contour kept here: its number in the slice's list
-  std::vector<std::uint32_t> first_point;    // points of contour c: [first_point[c], first_point[c+1])
+  std::vector<SlicePoint> first_point;       // points of contour c: [first_point[c], first_point[c+1])
   std::vector<std::uint32_t> outer_contour;  // of each region: its outer contour, counted here
   std::size_t steiner_points = 0;
   bool conforming = true;  // false: from `constrained`

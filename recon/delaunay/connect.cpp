@@ -11,16 +11,17 @@ namespace {
 
 /// Numbers the face-connected pieces of kept tetrahedra; none for the others. The number of a piece is its first
 /// tetrahedron.
-std::vector<std::uint32_t> pieces_of(const std::vector<SlabTetrahedron>& tets, const std::vector<Fate>& fate) {
-  std::vector<std::uint32_t> piece(tets.size(), none), stack;
-  for (std::uint32_t seed = 0; seed < tets.size(); ++seed) {
+Table<TetIndex, TetIndex> pieces_of(const SlabTetrahedra& tets, const Fates& fate) {
+  Table<TetIndex, TetIndex> piece(tets.size(), none);
+  TetList stack;
+  for (const TetIndex seed : tets.indices()) {
     if (fate[seed] == Fate::removed || piece[seed] != none) continue;
     piece[seed] = seed;
     stack.push_back(seed);
     while (!stack.empty()) {
-      const std::uint32_t t = stack.back();
+      const TetIndex t = stack.back();
       stack.pop_back();
-      for (const std::uint32_t other : tets[t].nb)
+      for (const TetIndex other : tets[t].nb)
         if (other != none && fate[other] != Fate::removed && piece[other] == none) {
           piece[other] = seed;
           stack.push_back(other);
@@ -33,10 +34,9 @@ std::vector<std::uint32_t> pieces_of(const std::vector<SlabTetrahedron>& tets, c
 /// The pieces as they grow together. A piece goes by its first tetrahedron.
 class Pieces {
  public:
-  Pieces(const std::vector<SlabTetrahedron>& tets, const std::vector<std::uint32_t>& owner,
-         const std::vector<Fate>& fate)
+  Pieces(const SlabTetrahedra& tets, const Owners& owner, const Fates& fate)
       : tets_(tets), owner_(owner), piece_(pieces_of(tets, fate)), now_(tets.size()) {
-    for (std::uint32_t t = 0; t < piece_.size(); ++t) {
+    for (const TetIndex t : piece_.indices()) {
       if (piece_[t] == none) continue;
       if (piece_[t] == t) ++pieces_[owner_[t]];
       members_[piece_[t]].push_back(t);
@@ -44,7 +44,7 @@ class Pieces {
   }
 
   /// The piece of t; none if t is kept by nobody.
-  std::uint32_t of(std::uint32_t t) { return piece_[t] == none ? none : now_.find(piece_[t]); }
+  TetIndex of(TetIndex t) { return piece_[t] == none ? TetIndex() : TetIndex(now_.find(piece_[t])); }
 
   /// For each piece whose owner has several: its tetrahedra.
   std::vector<const TetList*> strays() const {
@@ -55,19 +55,19 @@ class Pieces {
   }
 
   /// t is put back, and joins what it meets in a face.
-  void add(std::uint32_t t) {
+  void add(TetIndex t) {
     piece_[t] = t;
     members_[t] = {t};
     ++pieces_[owner_[t]];
-    for (const std::uint32_t other : tets_[t].nb)
+    for (const TetIndex other : tets_[t].nb)
       if (other != none && piece_[other] != none) join(of(t), of(other));
   }
 
  private:
-  void join(std::uint32_t a, std::uint32_t b) {
+  void join(TetIndex a, TetIndex b) {
     if (a == b) return;
     now_.join(a, b);
-    const std::uint32_t stays = now_.find(a), goes = stays == a ? b : a;
+    const TetIndex stays(now_.find(a)), goes = stays == a ? b : a;
     --pieces_[owner_[goes]];
     TetList both;
     std::merge(members_[a].begin(), members_[a].end(), members_[b].begin(), members_[b].end(),
@@ -76,21 +76,21 @@ class Pieces {
     members_[stays] = std::move(both);
   }
 
-  const std::vector<SlabTetrahedron>& tets_;
-  const std::vector<std::uint32_t>& owner_;
-  std::vector<std::uint32_t> piece_;  // of each tetrahedron, as it was at first
-  UnionFind now_;                     // of these; the least stands for all
-  std::map<std::uint32_t, TetList> members_;
+  const SlabTetrahedra& tets_;
+  const Owners& owner_;
+  Table<TetIndex, TetIndex> piece_;  // of each tetrahedron, as it was at first
+  UnionFind now_;                    // of these; the least stands for all
+  std::map<TetIndex, TetList> members_;
   std::map<std::uint32_t, std::size_t> pieces_;  // of each owner
 };
 
 }  // namespace
 
-std::optional<std::size_t> connect(const std::vector<SlabTetrahedron>& tets, const Planar& lower, const Planar& upper,
-                                   const std::vector<std::uint32_t>& owner, std::vector<Fate>& fate) {
+std::optional<std::size_t> connect(const SlabTetrahedra& tets, const Planar& lower, const Planar& upper,
+                                   const Owners& owner, Fates& fate) {
   Pieces pieces(tets, owner, fate);
   std::size_t restored = 0;
-  std::vector<Cost> costs;
+  Costs costs;
   for (;;) {
     const std::vector<const TetList*> apart = pieces.strays();
     if (apart.empty()) return restored;
@@ -98,12 +98,13 @@ std::optional<std::size_t> connect(const std::vector<SlabTetrahedron>& tets, con
     TetList best;
     Cost least;
     for (const TetList* start : apart) {
-      const std::uint32_t own = pieces.of(start->front()), by = owner[start->front()];
+      const TetIndex own = pieces.of(start->front());
+      const std::uint32_t by = owner[start->front()];
       Cost cost;
       TetList way = shortest_path(
-          tets, costs, *start, [](std::uint32_t, int) { return true; },
-          [&](std::uint32_t t) { return fate[t] == Fate::removed && owner[t] == by; },
-          [&](std::uint32_t t) { return fate[t] != Fate::removed && owner[t] == by && pieces.of(t) != own; }, cost,
+          tets, costs, *start, [](TetIndex, int) { return true; },
+          [&](TetIndex t) { return fate[t] == Fate::removed && owner[t] == by; },
+          [&](TetIndex t) { return fate[t] != Fate::removed && owner[t] == by && pieces.of(t) != own; }, cost,
           best.empty() ? nullptr : &least);
       if (!way.empty()) {
         best = std::move(way);
@@ -111,7 +112,7 @@ std::optional<std::size_t> connect(const std::vector<SlabTetrahedron>& tets, con
       }
     }
     if (best.empty()) return std::nullopt;
-    for (const std::uint32_t t : best) {
+    for (const TetIndex t : best) {
       fate[t] = Fate::restored;
       pieces.add(t);
     }

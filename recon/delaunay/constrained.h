@@ -15,19 +15,20 @@
 namespace odontoscope::delaunay {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-struct Number {
-  std::uint32_t value = none;
-};
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Number, Kernel>;
-using FaceBase =
-    CGAL::Triangulation_face_base_with_info_2<Number, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<SlicePoint, Kernel>;
+using FaceBase = CGAL::Triangulation_face_base_with_info_2<TriangleIndex, Kernel,
+                                                           CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
 using Vertex = Cdt::Vertex_handle;
 using Face = Cdt::Face_handle;
 
+/// By spatial_order.
+std::vector<SlicePoint> order_of(const Table<SlicePoint, Point2>& points);
+
 /// Points in this order, numbered as in `points`.
-std::vector<Vertex> insert_points(Cdt& cdt, const std::vector<Point2>& points, const std::vector<std::uint32_t>& order);
+Table<SlicePoint, Vertex> insert_points(Cdt& cdt, const Table<SlicePoint, Point2>& points,
+                                        const std::vector<SlicePoint>& order);
 
 /// A point of the two triangles beside the edge that lies within its diametral circle, the one nearest to the edge; a
 /// null handle if none does: then no other point does, since the triangulation is constrained Delaunay.

@@ -8,12 +8,12 @@
 
 namespace odontoscope::delaunay {
 
-std::vector<RegionLink> witnessed_links(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower,
-                                        const Planar& upper, Correspondence widest) {
+std::vector<RegionLink> witnessed_links(const SlabTetrahedra& tetrahedra, const Planar& lower, const Planar& upper,
+                                        Correspondence widest) {
   Witnesses witnesses;
-  const auto offset = static_cast<std::uint32_t>(lower.points.size());
+  const SlabNumbers numbers(lower);
   for (const SlabTetrahedron& tet : tetrahedra) {
-    const std::uint32_t below = lower.region_of[tet.v[0]], above = upper.region_of[tet.v[3] - offset];
+    const std::uint32_t below = lower.region_of[numbers.own(tet.v[0])], above = upper.region_of[numbers.own(tet.v[3])];
     if (tet.lower_count == 2 && tet.lower_edge == EdgeKind::internal && tet.upper_edge == EdgeKind::internal)
       witnesses.add(below, above, LinkCriterion::reverse);
     else if (tet.lower_count != 2 && tet.dual_in_lower && tet.dual_in_upper && widest >= Correspondence::medial)

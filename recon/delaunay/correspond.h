@@ -27,8 +27,8 @@ struct Component {
 
 /// Pairs of regions with a witness among the tetrahedra, each with the strictest criterion that has one, in the order
 /// reverse, medial, overlap, then by region. Criteria wider than `widest` are not looked at.
-std::vector<RegionLink> witnessed_links(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower,
-                                        const Planar& upper, Correspondence widest);
+std::vector<RegionLink> witnessed_links(const SlabTetrahedra& tetrahedra, const Planar& lower, const Planar& upper,
+                                        Correspondence widest);
 
 struct Correspondences {
   std::vector<RegionLink> links;      // those that were made, by lower, upper

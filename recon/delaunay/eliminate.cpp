@@ -13,8 +13,8 @@ bool stays(const SlabTetrahedron& tet, const Planar& lower, const Planar& upper)
 
 }  // namespace
 
-std::vector<Fate> eliminate(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower, const Planar& upper) {
-  std::vector<Fate> fate;
+Fates eliminate(const SlabTetrahedra& tetrahedra, const Planar& lower, const Planar& upper) {
+  Fates fate;
   fate.reserve(tetrahedra.size());
   for (const SlabTetrahedron& tet : tetrahedra) fate.push_back(stays(tet, lower, upper) ? Fate::kept : Fate::removed);
   return fate;

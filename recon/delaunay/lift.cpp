@@ -13,22 +13,23 @@ namespace odontoscope::delaunay {
 namespace {
 
 struct Piece {
-  std::array<std::uint32_t, 4> v;
-  bool in;  // part of the solid
+  std::array<SlabPoint, 4> v;  // those on the slices, then those that lifting adds
+  bool in;                     // part of the solid
   float reach;
 };
 
-using Edge = std::array<std::uint32_t, 2>;
+using PieceIndex = Index<struct PieceKind>;
+using SplitEdge = std::array<SlabPoint, 2>;
+using Star = std::vector<PieceIndex>;
 
 class Lift {
  public:
-  Lift(const std::vector<SlabTetrahedron>& tets, const std::vector<Fate>& fate, const Planar& lower,
-       const Planar& upper, SlabHeights heights)
-      : lower_(lower), upper_(upper), heights_(heights), offset_(static_cast<std::uint32_t>(lower.points.size())) {
+  Lift(const SlabTetrahedra& tets, const Fates& fate, const Planar& lower, const Planar& upper, SlabHeights heights)
+      : lower_(lower), upper_(upper), heights_(heights), numbers_(lower) {
     points_.reserve(lower.points.size() + upper.points.size());
     for (const Point2 p : lower.points) points_.push_back({p.x, p.y, heights.lower});
     for (const Point2 p : upper.points) points_.push_back({p.x, p.y, heights.upper});
-    for (std::size_t t = 0; t < tets.size(); ++t) {
+    for (const TetIndex t : tets.indices()) {
       const bool in = fate[t] != Fate::removed;
       pieces_.push_back({tets[t].v, in, in ? static_cast<float>(reach(tets[t], lower, upper)) : 0.0f});
       if (fate[t] == Fate::restored) collect_external(tets[t]);
@@ -39,15 +40,15 @@ class Lift {
 
   bool run() {
     if (!edges_.empty() || !faces_.empty()) collect_stars();
-    for (const Edge& edge : edges_)
+    for (const SplitEdge& edge : edges_)
       if (!lift_edge(edge)) return false;
     for (const auto& face : faces_)
       if (!lift_face(face)) return false;
     return true;
   }
 
-  const std::vector<Piece>& pieces() const { return pieces_; }
-  const std::vector<Point3>& points() const { return points_; }
+  const Table<PieceIndex, Piece>& pieces() const { return pieces_; }
+  const Table<SlabPoint, Point3>& points() const { return points_; }
   double largest_sideways() const { return largest_sideways_; }
 
  private:
@@ -62,11 +63,10 @@ class Lift {
     const bool below = tet.lower_count == 3;
     const Planar& slice = below ? lower_ : upper_;
     if (slice.inside(tet.triangle)) return;
-    const std::uint32_t shift = below ? 0 : offset_;
     bool any = false;
     for (int i = below ? 0 : 1, first = i; i < first + 3; ++i) {
-      const std::uint32_t a = tet.v[i], b = tet.v[first + (i - first + 1) % 3];
-      if (slice.contour_edge(a - shift, b - shift)) continue;
+      const SlabPoint a = tet.v[i], b = tet.v[first + (i - first + 1) % 3];
+      if (slice.contour_edge(numbers_.own(a), numbers_.own(b))) continue;
       edges_.push_back(sorted(a, b));
       any = true;
     }
@@ -75,33 +75,33 @@ class Lift {
       faces_.push_back(below ? std::array{tet.v[0], tet.v[1], tet.v[2]} : std::array{tet.v[1], tet.v[2], tet.v[3]});
   }
 
-  static Edge sorted(std::uint32_t a, std::uint32_t b) { return a < b ? Edge{a, b} : Edge{b, a}; }
+  static SplitEdge sorted(SlabPoint a, SlabPoint b) { return a < b ? SplitEdge{a, b} : SplitEdge{b, a}; }
 
   // ---- stars --------------------------------------------------------------------------------------------------------
 
   void collect_stars() {
-    for (const Edge& edge : edges_)
-      for (const std::uint32_t v : edge) stars_[v];
+    for (const SplitEdge& edge : edges_)
+      for (const SlabPoint v : edge) stars_[v];
     for (const auto& face : faces_)
-      for (const std::uint32_t v : face) stars_[v];
-    for (std::uint32_t p = 0; p < pieces_.size(); ++p) enlist(p);
+      for (const SlabPoint v : face) stars_[v];
+    for (const PieceIndex p : pieces_.indices()) enlist(p);
   }
 
-  void enlist(std::uint32_t piece) {
-    for (const std::uint32_t v : pieces_[piece].v)
+  void enlist(PieceIndex piece) {
+    for (const SlabPoint v : pieces_[piece].v)
       if (const auto star = stars_.find(v); star != stars_.end()) star->second.push_back(piece);
   }
 
-  bool has(std::uint32_t piece, std::uint32_t v) const {
+  bool has(PieceIndex piece, SlabPoint v) const {
     const auto& p = pieces_[piece].v;
     return p[0] == v || p[1] == v || p[2] == v || p[3] == v;
   }
 
   template <std::size_t N>
-  std::vector<std::uint32_t> star_of(const std::array<std::uint32_t, N>& simplex) {
-    std::vector<std::uint32_t> star;
-    for (const std::uint32_t p : stars_[simplex[0]])
-      if (std::all_of(simplex.begin(), simplex.end(), [&](std::uint32_t v) { return has(p, v); })) star.push_back(p);
+  Star star_of(const std::array<SlabPoint, N>& simplex) {
+    Star star;
+    for (const PieceIndex p : stars_[simplex[0]])
+      if (std::all_of(simplex.begin(), simplex.end(), [&](SlabPoint v) { return has(p, v); })) star.push_back(p);
     std::sort(star.begin(), star.end());
     star.erase(std::unique(star.begin(), star.end()), star.end());
     return star;
@@ -109,37 +109,37 @@ class Lift {
 
   // ---- where a point may go -----------------------------------------------------------------------------------------
 
-  static std::array<std::uint32_t, 4> with(std::array<std::uint32_t, 4> v, std::uint32_t out, std::uint32_t in) {
+  static std::array<SlabPoint, 4> with(std::array<SlabPoint, 4> v, SlabPoint out, SlabPoint in) {
     std::replace(v.begin(), v.end(), out, in);
     return v;
   }
 
-  bool positive(const std::array<std::uint32_t, 4>& v) const {
+  bool positive(const std::array<SlabPoint, 4>& v) const {
     return orientation(points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]]) > 0;
   }
 
   /// Would every piece of the star stay positive with the last point put in for each corner of the simplex in turn?
   template <std::size_t N>
-  bool fits(const std::array<std::uint32_t, N>& simplex, const std::vector<std::uint32_t>& star) const {
-    const auto added = static_cast<std::uint32_t>(points_.size() - 1);
-    for (const std::uint32_t p : star)
-      for (const std::uint32_t corner : simplex)
+  bool fits(const std::array<SlabPoint, N>& simplex, const Star& star) const {
+    const SlabPoint added(points_.size() - 1);
+    for (const PieceIndex p : star)
+      for (const SlabPoint corner : simplex)
         if (!positive(with(pieces_[p].v, corner, added))) return false;
     return true;
   }
 
   /// Faces of the hull at an edge: the new point stays on their inner side, or it could run into another component.
-  bool within_hull(const Edge& edge, const std::vector<std::uint32_t>& star) const {
+  bool within_hull(const SplitEdge& edge, const Star& star) const {
     const double plane = points_[edge[0]].z;
-    for (const std::uint32_t p : star)
-      for (const std::uint32_t x : pieces_[p].v) {
+    for (const PieceIndex p : star)
+      for (const SlabPoint x : pieces_[p].v) {
         if (x == edge[0] || x == edge[1] || points_[x].z == plane) continue;
-        const auto sharing = std::count_if(star.begin(), star.end(), [&](std::uint32_t s) { return has(s, x); });
+        const auto sharing = std::count_if(star.begin(), star.end(), [&](PieceIndex s) { return has(s, x); });
         if (sharing != 1) continue;
         // Put the new point in for the piece's fourth corner: the sign must not turn.
-        for (const std::uint32_t y : pieces_[p].v)
+        for (const SlabPoint y : pieces_[p].v)
           if (y != edge[0] && y != edge[1] && y != x) {
-            const auto v = with(pieces_[p].v, y, static_cast<std::uint32_t>(points_.size() - 1));
+            const auto v = with(pieces_[p].v, y, SlabPoint(points_.size() - 1));
             if (orientation(points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]]) < 0) return false;
           }
       }
@@ -169,21 +169,21 @@ class Lift {
     return false;
   }
 
-  Point3 centroid(const std::array<std::uint32_t, 4>& v) const {
+  Point3 centroid(const std::array<SlabPoint, 4>& v) const {
     Point3 c;
-    for (const std::uint32_t p : v) c = {c.x + points_[p].x / 4, c.y + points_[p].y / 4, c.z + points_[p].z / 4};
+    for (const SlabPoint p : v) c = {c.x + points_[p].x / 4, c.y + points_[p].y / 4, c.z + points_[p].z / 4};
     return c;
   }
 
   /// Straight along z; else towards the middle of a piece of the star, the one that leads least far sideways first:
   /// from the edge into a convex piece there is always a way.
   template <class Fit>
-  bool place(const Point3& base, double scale, const std::vector<std::uint32_t>& star, Fit fit) {
+  bool place(const Point3& base, double scale, const Star& star, Fit fit) {
     points_.push_back(base);
     const bool below = base.z == heights_.lower;
     if (try_towards(base, {base.x, base.y, below ? heights_.upper : heights_.lower}, scale, fit)) return true;
     std::vector<std::pair<double, Point3>> targets;
-    for (const std::uint32_t p : star) {
+    for (const PieceIndex p : star) {
       const Point3 c = centroid(pieces_[p].v);
       targets.emplace_back(portable::hypot(c.x - base.x, c.y - base.y) / height_share(c.z, base.z), c);
     }
@@ -195,18 +195,18 @@ class Lift {
   // ---- splitting ----------------------------------------------------------------------------------------------------
 
   template <std::size_t N>
-  void split(const std::array<std::uint32_t, N>& simplex, const std::vector<std::uint32_t>& star) {
-    const auto added = static_cast<std::uint32_t>(points_.size() - 1);
+  void split(const std::array<SlabPoint, N>& simplex, const Star& star) {
+    const SlabPoint added(points_.size() - 1);
     stars_[added];
-    for (const std::uint32_t p : star) {
+    for (const PieceIndex p : star) {
       const Piece whole = pieces_[p];
       for (std::size_t corner = 0; corner < N; ++corner) {
         const Piece part{with(whole.v, simplex[corner], added), whole.in, whole.reach};
-        std::uint32_t number = p;
+        PieceIndex number = p;
         if (corner == 0) {
           pieces_[p] = part;
         } else {
-          number = static_cast<std::uint32_t>(pieces_.size());
+          number = PieceIndex(pieces_.size());
           pieces_.push_back(part);
         }
         enlist(number);
@@ -214,9 +214,9 @@ class Lift {
     }
   }
 
-  bool lift_edge(const Edge& edge) {
+  bool lift_edge(const SplitEdge& edge) {
     const Point3 a = points_[edge[0]], b = points_[edge[1]];
-    const std::vector<std::uint32_t> star = star_of(edge);
+    const Star star = star_of(edge);
     const Point3 middle{a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2, a.z};
     const double length = portable::hypot(b.x - a.x, b.y - a.y);
     if (!place(middle, length, star, [&] { return fits(edge, star) && within_hull(edge, star); })) return false;
@@ -224,9 +224,9 @@ class Lift {
     return true;
   }
 
-  bool lift_face(const std::array<std::uint32_t, 3>& face) {
+  bool lift_face(const std::array<SlabPoint, 3>& face) {
     const Point3 a = points_[face[0]], b = points_[face[1]], c = points_[face[2]];
-    const std::vector<std::uint32_t> star = star_of(face);
+    const Star star = star_of(face);
     const Point3 middle{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, a.z};
     const double length = std::max({portable::hypot(b.x - a.x, b.y - a.y), portable::hypot(c.x - b.x, c.y - b.y),
                                     portable::hypot(a.x - c.x, a.y - c.y)});
@@ -238,13 +238,12 @@ class Lift {
   const Planar& lower_;
   const Planar& upper_;
   SlabHeights heights_;
-  std::uint32_t offset_;
-  std::vector<Point3> points_;
-  std::vector<Piece> pieces_;
-  std::vector<Edge> edges_;
-  std::vector<std::array<std::uint32_t, 3>> faces_;
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>>
-      stars_;  // of the corners that lifting touches; looked up, never walked
+  SlabNumbers numbers_;
+  Table<SlabPoint, Point3> points_;
+  Table<PieceIndex, Piece> pieces_;
+  std::vector<SplitEdge> edges_;
+  std::vector<std::array<SlabPoint, 3>> faces_;
+  std::unordered_map<SlabPoint, Star> stars_;  // of the corners that lifting touches; looked up, never walked
   double largest_sideways_ = 0;
 };
 
@@ -267,16 +266,16 @@ void drop_unused(SlabSolid& solid, std::uint32_t on_slices) {
       if (p >= on_slices) p = number[p - on_slices];
 }
 
-bool lift(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<Fate>& fate, const Planar& lower,
-          const Planar& upper, SlabHeights heights, std::uint32_t whole_lower, std::uint32_t whole_upper,
-          SlabSolid& solid) {
+bool lift(const SlabTetrahedra& tetrahedra, const Fates& fate, const Planar& lower, const Planar& upper,
+          SlabHeights heights, std::uint32_t whole_lower, std::uint32_t whole_upper, SlabSolid& solid) {
   Lift work(tetrahedra, fate, lower, upper, heights);
   if (!work.run()) return false;
   const auto given = static_cast<std::uint32_t>(lower.points.size() + upper.points.size());
   const auto first_added = static_cast<std::uint32_t>(whole_lower + whole_upper + solid.added.size());
-  const auto number = [&](std::uint32_t v) {
-    if (v < lower.points.size()) return lower.slice_point[v];
-    if (v < given) return whole_lower + upper.slice_point[v - lower.points.size()];
+  const SlabNumbers numbers(lower);
+  const auto number = [&](SlabPoint v) {
+    if (numbers.is_lower(v)) return lower.slice_point[numbers.own(v)];
+    if (v < given) return whole_lower + upper.slice_point[numbers.own(v)];
     return first_added + (v - given);
   };
   for (const Piece& piece : work.pieces()) {

@@ -36,8 +36,7 @@ struct SlabHeights {
 /// sideways into the star, at most limits::lift_sideways of the edge's length. Returns false if rounding leaves no
 /// place for a point (tetrahedra thinner than double precision can split). `solid` numbers points as said above:
 /// `whole_lower` is the number of points of the whole lower slice, `whole_upper` of the upper.
-bool lift(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<Fate>& fate, const Planar& lower,
-          const Planar& upper, SlabHeights heights, std::uint32_t whole_lower, std::uint32_t whole_upper,
-          SlabSolid& solid);
+bool lift(const SlabTetrahedra& tetrahedra, const Fates& fate, const Planar& lower, const Planar& upper,
+          SlabHeights heights, std::uint32_t whole_lower, std::uint32_t whole_upper, SlabSolid& solid);
 
 }  // namespace odontoscope::delaunay

@@ -216,7 +216,7 @@ class Trimmer {
   Point3 point(std::size_t slab, std::uint32_t v) const {
     for (const std::size_t k : {slab, slab + 1})
       if (v < numbering_.slice_begin[k + 1]) {
-        const Point2 p = stack_.slices[k].planar.points[v - numbering_.slice_begin[k]];
+        const Point2 p = stack_.slices[k].planar.points[SlicePoint(v - numbering_.slice_begin[k])];
         return {p.x, p.y, stack_.slices[k].z};
       }
     std::size_t number = v - numbering_.added_begin[slab];
@@ -279,12 +279,11 @@ class Trimmer {
 };
 
 /// Of the widest circle's radius beside an edge, within its region; infinity outside all.
-double half_width(const Planar& slice, std::uint32_t a, std::uint32_t b) {
+double half_width(const Planar& slice, SlicePoint a, SlicePoint b) {
   double least = std::numeric_limits<double>::infinity();
-  const std::uint32_t begin = slice.first_spoke[a], end = slice.first_spoke[a + 1];
-  for (std::uint32_t s = begin; s < end; ++s) {
+  for (const SpokeIndex s : slice.spokes_of(a)) {
     if (slice.spokes[s].vertex != b) continue;
-    for (const std::uint32_t t : {slice.spokes[s].triangle, slice.spokes[s == begin ? end - 1 : s - 1].triangle})
+    for (const TriangleIndex t : {slice.spokes[s].triangle, slice.right_of(a, s)})
       if (slice.inside(t)) least = std::min(least, distance(slice.centres[t].at, slice.points[a]));
   }
   return least;
@@ -293,21 +292,20 @@ double half_width(const Planar& slice, std::uint32_t a, std::uint32_t b) {
 /// Of a tetrahedron whose dual point lies in no region: how far its two edges are apart, over half the width of the
 /// narrower region there.
 double lean(const SlabTetrahedron& tetrahedron, const Planar& lower, const Planar& upper) {
-  const auto below = static_cast<std::uint32_t>(lower.points.size());
-  const auto& v = tetrahedron.v;
+  const SlabNumbers numbers(lower);
+  std::array<SlicePoint, 4> v;  // each in its own slice
+  std::transform(tetrahedron.v.begin(), tetrahedron.v.end(), v.begin(), [&](SlabPoint p) { return numbers.own(p); });
   double apart = std::numeric_limits<double>::infinity();
-  for (const std::uint32_t a : {v[0], v[1]})
-    for (const std::uint32_t b : {v[2], v[3]})
-      apart = std::min(apart, distance(lower.points[a], upper.points[b - below]));
-  return apart / std::min(half_width(lower, v[0], v[1]), half_width(upper, v[2] - below, v[3] - below));
+  for (const SlicePoint a : {v[0], v[1]})
+    for (const SlicePoint b : {v[2], v[3]}) apart = std::min(apart, distance(lower.points[a], upper.points[b]));
+  return apart / std::min(half_width(lower, v[0], v[1]), half_width(upper, v[2], v[3]));
 }
 
 }  // namespace
 
 double reach(const SlabTetrahedron& tetrahedron, const Planar& lower, const Planar& upper) {
-  const auto point = [&](std::uint32_t v) {
-    return v < lower.points.size() ? lower.points[v] : upper.points[v - lower.points.size()];
-  };
+  const SlabNumbers numbers(lower);
+  const auto point = [&](SlabPoint v) { return (numbers.is_lower(v) ? lower : upper).points[numbers.own(v)]; };
   const auto& v = tetrahedron.v;
   const Point2 dual = tetrahedron.lower_count == 3 ? lower.centres[tetrahedron.triangle].at
                       : tetrahedron.lower_count == 1

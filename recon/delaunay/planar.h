@@ -10,18 +10,24 @@
 #include <vector>
 
 #include "recon/core/geometry.h"
+#include "recon/core/index.h"
 
 namespace odontoscope::delaunay {
 
-inline constexpr std::uint32_t none = 0xffffffffu;
+inline constexpr NoIndex none;
+
+/// A point of a triangulation, a triangle of it, and an edge of it as seen from one end.
+using SlicePoint = Index<struct SlicePointKind>;
+using TriangleIndex = Index<struct TriangleKind>;
+using SpokeIndex = Index<struct SpokeKind>;
 
 /// What an in-plane edge is to the regions: outside all of them, on a contour, or inside one.
 enum class EdgeKind : std::uint8_t { external, contour, internal };
 
 struct PlanarTriangle {
-  std::array<std::uint32_t, 3> v{none, none, none};   // counter-clockwise
-  std::array<std::uint32_t, 3> nb{none, none, none};  // across the edge opposite v[k]; none beyond the hull
-  std::uint32_t region = none;                        // none: external
+  std::array<SlicePoint, 3> v;      // counter-clockwise
+  std::array<TriangleIndex, 3> nb;  // across the edge opposite v[k]; none beyond the hull
+  std::uint32_t region = none;      // none: external
 };
 
 /// Circumcentre in rounded arithmetic; the true one lies within `error` of it in each coordinate (infinity: unknown).
@@ -32,28 +38,37 @@ struct Circumcentre {
 
 /// An edge as seen from one end.
 struct Spoke {
-  std::uint32_t vertex = none;
-  std::uint32_t triangle = none;  // between this spoke and the next counter-clockwise; none: the hull's gap
+  SlicePoint vertex;
+  TriangleIndex triangle;  // between this spoke and the next counter-clockwise; none: the hull's gap
   EdgeKind kind = EdgeKind::external;
 };
 
 struct Planar {
-  std::vector<Point2> points;
-  std::vector<std::uint32_t> slice_point;     // number of each point in its slice (a component has only some of them)
-  std::vector<std::uint32_t> next, previous;  // along the contour, the region on the left
-  std::vector<std::uint32_t> region_of;       // of each point: the region that its contour bounds
-  std::vector<PlanarTriangle> triangles;
-  std::vector<Circumcentre> centres;           // of each triangle
-  std::vector<std::uint32_t> first_spoke;      // spokes of v: [first_spoke[v], first_spoke[v+1])
-  std::vector<Spoke> spokes;                   // of a hull vertex: the first has the hull on its right
-  std::vector<std::uint32_t> insertion_order;  // a spatial order of the points
+  Table<SlicePoint, Point2> points;
+  Table<SlicePoint, std::uint32_t> slice_point;  // number of each point in its slice (a component has only some)
+  Table<SlicePoint, SlicePoint> next, previous;  // along the contour, the region on the left
+  Table<SlicePoint, std::uint32_t> region_of;    // of each point: the region that its contour bounds
+  Table<TriangleIndex, PlanarTriangle> triangles;
+  Table<TriangleIndex, Circumcentre> centres;  // of each triangle
+  Table<SlicePoint, SpokeIndex> first_spoke;   // spokes of v: spokes_of(v); one more than points
+  Table<SpokeIndex, Spoke> spokes;             // of a hull vertex: the first has the hull on its right
+  std::vector<SlicePoint> insertion_order;     // a spatial order of the points
 
-  bool contour_edge(std::uint32_t a, std::uint32_t b) const { return next[a] == b || next[b] == a; }
-  bool inside(std::uint32_t triangle) const { return triangle != none && triangles[triangle].region != none; }
+  bool contour_edge(SlicePoint a, SlicePoint b) const { return next[a] == b || next[b] == a; }
+  bool inside(TriangleIndex triangle) const { return triangle != none && triangles[triangle].region != none; }
+  /// Counter-clockwise.
+  Indices<SpokeIndex> spokes_of(SlicePoint v) const { return {first_spoke[v], first_spoke[SlicePoint(v + 1)]}; }
+  /// Of v's spokes the one clockwise of s.
+  SpokeIndex before(SlicePoint v, SpokeIndex s) const {
+    const Indices<SpokeIndex> all = spokes_of(v);
+    return s == all.front() ? all.back() : SpokeIndex(s - 1);
+  }
+  /// Of one of v's spokes; that on its left is the spoke's own.
+  TriangleIndex right_of(SlicePoint v, SpokeIndex s) const { return spokes[before(v, s)].triangle; }
 };
 
 /// The triangle on the left of each point's contour edge; none where the triangulation lacks the edge.
-std::vector<std::uint32_t> left_triangles(const Planar& planar);
+Table<SlicePoint, TriangleIndex> left_triangles(const Planar& planar);
 
 /// Fills first_spoke and spokes from triangles, regions and contours.
 void collect_spokes(Planar& planar);

@@ -15,8 +15,8 @@ SlabSolid plate(const ConformedSlice& lower, const ConformedSlice& upper, Home h
   const auto first_home = static_cast<std::uint32_t>(home == Home::lower ? 0 : lower.planar.points.size());
   const auto first_added = static_cast<std::uint32_t>(lower.planar.points.size() + upper.planar.points.size());
   SlabSolid solid;
-  std::vector<std::uint32_t> copy(planar.points.size(), none);
-  for (std::uint32_t p = 0; p < planar.points.size(); ++p)
+  Table<SlicePoint, std::uint32_t> copy(planar.points.size(), none);
+  for (const SlicePoint p : planar.points.indices())
     if (planar.region_of[p] == region) {
       copy[p] = first_added + static_cast<std::uint32_t>(solid.added.size());
       solid.added.push_back({planar.points[p].x, planar.points[p].y, slice.z + height});
@@ -24,7 +24,7 @@ SlabSolid plate(const ConformedSlice& lower, const ConformedSlice& upper, Home h
   for (const PlanarTriangle& triangle : planar.triangles) {
     if (triangle.region != region) continue;
     add_prism(
-        triangle, [&](std::uint32_t p) { return first_home + p; }, [&](std::uint32_t p) { return copy[p]; },
+        triangle, [&](SlicePoint p) { return first_home + p; }, [&](SlicePoint p) { return copy[p]; },
         height > 0 ? Thickened::upwards : Thickened::downwards, solid.tetrahedra);
   }
   return solid;

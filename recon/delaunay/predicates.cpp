@@ -33,7 +33,7 @@ struct ExactCentre {  // the circumcentre is (nx, ny) / d, d > 0
   Exact nx, ny, d;
 };
 
-ExactCentre exact_centre(const Planar& of, std::uint32_t triangle) {
+ExactCentre exact_centre(const Planar& of, TriangleIndex triangle) {
   const auto& v = of.triangles[triangle].v;
   const Point2 a = of.points[v[0]], b = of.points[v[1]], c = of.points[v[2]];
   const Exact ax(a.x), ay(a.y);
@@ -72,7 +72,7 @@ Circumcentre circumcentre(Point2 a, Point2 b, Point2 c) {
   return centre;
 }
 
-int nearer_to_centre(const Planar& of, std::uint32_t triangle, Point2 p, Point2 q, Side sites) {
+int nearer_to_centre(const Planar& of, TriangleIndex triangle, Point2 p, Point2 q, Side sites) {
   // |c-p|^2 - |c-q|^2 = (q-p).(2c-p-q)
   const Circumcentre& centre = of.centres[triangle];
   const double dx = q.x - p.x, dy = q.y - p.y;
@@ -105,7 +105,7 @@ int nearer_to_midpoint(Point2 a, Point2 b, Point2 p, Point2 q, Side sites) {
   return sign != 0 ? sign : tie(p, q, sites);
 }
 
-int centre_left_of(const Planar& of, std::uint32_t triangle, Point2 p, Point2 q, Side wedge) {
+int centre_left_of(const Planar& of, TriangleIndex triangle, Point2 p, Point2 q, Side wedge) {
   const Circumcentre& centre = of.centres[triangle];
   const double dx = q.x - p.x, dy = q.y - p.y;
   const double rx = centre.at.x - p.x, ry = centre.at.y - p.y;

@@ -18,12 +18,12 @@ enum class Side { lower, upper };
 
 /// Which of two sites of the slice `sites` is nearer to a point of the other slice, both moved as the perturbation
 /// says? Negative: p; positive: q; never 0 for p != q.
-int nearer_to_centre(const Planar& of, std::uint32_t triangle, Point2 p, Point2 q, Side sites);
+int nearer_to_centre(const Planar& of, TriangleIndex triangle, Point2 p, Point2 q, Side sites);
 int nearer_to_midpoint(Point2 a, Point2 b, Point2 p, Point2 q, Side sites);
 
 /// Is the circumcentre (of the slice opposite to `wedge`) on the left of the directed line p->q of the slice `wedge`?
 /// Never 0.
-int centre_left_of(const Planar& of, std::uint32_t triangle, Point2 p, Point2 q, Side wedge);
+int centre_left_of(const Planar& of, TriangleIndex triangle, Point2 p, Point2 q, Side wedge);
 
 /// Sign of the cross product (b-a) x (d-c), exactly.
 int turn(Point2 a, Point2 b, Point2 c, Point2 d);

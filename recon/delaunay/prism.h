@@ -18,7 +18,7 @@ enum class Thickened { upwards, downwards };
 template <class Base, class Top>
 void add_prism(const PlanarTriangle& triangle, Base base, Top top, Thickened direction,
                std::vector<std::array<std::uint32_t, 4>>& tetrahedra) {
-  std::array<std::uint32_t, 3> v = triangle.v;
+  std::array<SlicePoint, 3> v = triangle.v;
   std::sort(v.begin(), v.end());  // sorted corners: the diagonal does not depend on the triangle
   const int fixed = (v[0] == triangle.v[0]) + (v[1] == triangle.v[1]) + (v[2] == triangle.v[2]);
   const bool even = fixed != 1;  // one corner in place: the other two were swapped

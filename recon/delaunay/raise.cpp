@@ -14,9 +14,8 @@ void add_copies(const Planar& slice, double z, SlabSolid& solid) {
 
 }  // namespace
 
-bool raise(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<Fate>& fate, const Planar& lower,
-           const Planar& upper, SlabHeights heights, std::uint32_t whole_lower, std::uint32_t whole_upper,
-           SlabSolid& solid) {
+bool raise(const SlabTetrahedra& tetrahedra, const Fates& fate, const Planar& lower, const Planar& upper,
+           SlabHeights heights, std::uint32_t whole_lower, std::uint32_t whole_upper, SlabSolid& solid) {
   const double step = (heights.upper - heights.lower) * limits::raise_height;
   const double low = heights.lower + step, high = heights.upper - step;
   if (!(heights.lower < low && low < high && high < heights.upper)) return false;
@@ -25,7 +24,7 @@ bool raise(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<Fat
   const auto first_added = static_cast<std::uint32_t>(whole_lower + whole_upper + solid.added.size());
   add_copies(lower, low, solid);
   add_copies(upper, high, solid);
-  for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
+  for (const TetIndex t : tetrahedra.indices()) {
     if (fate[t] == Fate::removed) continue;
     const auto& v = tetrahedra[t].v;
     solid.tetrahedra.push_back({first_added + v[0], first_added + v[1], first_added + v[2], first_added + v[3]});
@@ -33,13 +32,13 @@ bool raise(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<Fat
   for (const PlanarTriangle& triangle : lower.triangles)
     if (triangle.region != none)
       add_prism(
-          triangle, [&](std::uint32_t p) { return lower.slice_point[p]; },
-          [&](std::uint32_t p) { return first_added + p; }, Thickened::upwards, solid.tetrahedra);
+          triangle, [&](SlicePoint p) { return lower.slice_point[p]; }, [&](SlicePoint p) { return first_added + p; },
+          Thickened::upwards, solid.tetrahedra);
   for (const PlanarTriangle& triangle : upper.triangles)
     if (triangle.region != none)
       add_prism(
-          triangle, [&](std::uint32_t p) { return whole_lower + upper.slice_point[p]; },
-          [&](std::uint32_t p) { return first_added + in_lower + p; }, Thickened::downwards, solid.tetrahedra);
+          triangle, [&](SlicePoint p) { return whole_lower + upper.slice_point[p]; },
+          [&](SlicePoint p) { return first_added + in_lower + p; }, Thickened::downwards, solid.tetrahedra);
   solid.restored += static_cast<std::size_t>(std::count(fate.begin(), fate.end(), Fate::restored));
   solid.raised = true;
   return true;

@@ -13,8 +13,7 @@
 namespace odontoscope::delaunay {
 
 /// Arguments and numbering as for lift. Returns false only if there are no two doubles strictly between the heights.
-bool raise(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<Fate>& fate, const Planar& lower,
-           const Planar& upper, SlabHeights heights, std::uint32_t whole_lower, std::uint32_t whole_upper,
-           SlabSolid& solid);
+bool raise(const SlabTetrahedra& tetrahedra, const Fates& fate, const Planar& lower, const Planar& upper,
+           SlabHeights heights, std::uint32_t whole_lower, std::uint32_t whole_upper, SlabSolid& solid);
 
 }  // namespace odontoscope::delaunay

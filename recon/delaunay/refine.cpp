@@ -23,24 +23,24 @@ class Conformer {
       : fineness_(fineness), slice_(slice), number_(number), source_(source), progress_(progress) {}
 
   /// Refines `rings` and leaves its triangulation in `cdt`, points numbered as in `rings`.
-  void run(Rings& rings, Cdt& cdt, std::vector<std::uint32_t>& order) {
+  void run(Rings& rings, Cdt& cdt, std::vector<SlicePoint>& order) {
     const Rings given = rings;
     std::vector<Spot> spots;  // of each point of `rings`: where on the given contours it lies
-    for (std::uint32_t p = 0; p < given.points.size(); ++p) spots.push_back({p, 0, 1});
+    for (const SlicePoint p : given.points.indices()) spots.push_back({p, 0, 1});
     const std::size_t most = limits::steiner_factor * given.points.size() + limits::steiner_free;
     for (int round = 0; round < limits::conform_rounds; ++round) {
       progress_.check();
       cdt.clear();
-      order = spatial_order(rings.points);
+      order = order_of(rings.points);
       triangulate(rings, cdt, order);
       if (fineness_ == Fineness::constrained) return;
-      const std::vector<std::uint32_t> within = encroached(cdt, rings);
+      const Table<SlicePoint, SlicePoint> within = encroached(cdt, rings);
       const std::size_t splits =
           within.size() - static_cast<std::size_t>(std::count(within.begin(), within.end(), none));
       if (splits == 0) return;
       if (rings.points.size() + splits > most) {
-        const auto first = std::find_if(within.begin(), within.end(), [](std::uint32_t v) { return v != none; });
-        too_close(rings.points[static_cast<std::size_t>(first - within.begin())]);
+        const auto first = std::find_if(within.begin(), within.end(), [](SlicePoint v) { return v != none; });
+        too_close(rings.points[SlicePoint(first - within.begin())]);
       }
       refine(rings, spots, given, within);
     }
@@ -51,15 +51,15 @@ class Conformer {
   /// On the given contour edge that starts at point `from`: a share `t` of the way from its start, `u` from its end.
   /// Both are kept, so that a contour and its mirror image, which runs the other way, are split alike to the last bit.
   struct Spot {
-    std::uint32_t from;
+    SlicePoint from;
     double t, u;
   };
 
-  void triangulate(const Rings& rings, Cdt& cdt, const std::vector<std::uint32_t>& order) const {
-    const std::vector<Vertex> vertices = insert_points(cdt, rings.points, order);
-    const std::vector<std::uint32_t> next = rings.next();
-    for (const std::uint32_t p : order) {
-      if (vertices[p]->info().value != p) too_close(rings.points[p]);  // rounded onto another point
+  void triangulate(const Rings& rings, Cdt& cdt, const std::vector<SlicePoint>& order) const {
+    const Table<SlicePoint, Vertex> vertices = insert_points(cdt, rings.points, order);
+    const Table<SlicePoint, SlicePoint> next = rings.next();
+    for (const SlicePoint p : order) {
+      if (vertices[p]->info() != p) too_close(rings.points[p]);  // rounded onto another point
       try {
         cdt.insert_constraint(vertices[p], vertices[next[p]]);
       } catch (const Cdt::Intersection_of_constraints_exception&) {
@@ -70,26 +70,26 @@ class Conformer {
 
   /// For each point: a point within the diametral circle of the contour edge that starts there, if because of it the
   /// edge must be split.
-  std::vector<std::uint32_t> encroached(const Cdt& cdt, const Rings& rings) const {
-    const std::vector<std::uint32_t> next = rings.next();
-    std::vector<std::uint32_t> within(rings.points.size(), none);
+  Table<SlicePoint, SlicePoint> encroached(const Cdt& cdt, const Rings& rings) const {
+    const Table<SlicePoint, SlicePoint> next = rings.next();
+    Table<SlicePoint, SlicePoint> within(rings.points.size(), none);
     for (auto edge = cdt.finite_edges_begin(); edge != cdt.finite_edges_end(); ++edge) {
       if (!edge->first->is_constrained(edge->second)) continue;
       if (fineness_ == Fineness::delaunay && is_delaunay(cdt, edge->first, edge->second)) continue;
       const Vertex point = encroacher(cdt, edge->first, edge->second);
       if (point == Vertex()) continue;
-      const std::uint32_t a = edge->first->vertex(Cdt::ccw(edge->second))->info().value;
-      const std::uint32_t b = edge->first->vertex(Cdt::cw(edge->second))->info().value;
-      within[next[a] == b ? a : b] = point->info().value;
+      const SlicePoint a = edge->first->vertex(Cdt::ccw(edge->second))->info();
+      const SlicePoint b = edge->first->vertex(Cdt::cw(edge->second))->info();
+      within[next[a] == b ? a : b] = point->info();
     }
     return within;
   }
 
   void refine(Rings& rings, std::vector<Spot>& spots, const Rings& given,
-              const std::vector<std::uint32_t>& within) const {
-    const std::vector<std::uint32_t> next = rings.next(), given_next = given.next();
-    std::vector<std::uint32_t> previous(next.size());
-    for (std::uint32_t p = 0; p < next.size(); ++p) previous[next[p]] = p;
+              const Table<SlicePoint, SlicePoint>& within) const {
+    const Table<SlicePoint, SlicePoint> next = rings.next(), given_next = given.next();
+    Table<SlicePoint, SlicePoint> previous(next.size());
+    for (const SlicePoint p : next.indices()) previous[next[p]] = p;
     Rings refined;
     std::vector<Spot> refined_spots;
     const auto add = [&](Point2 at, Spot spot) {
@@ -97,12 +97,12 @@ class Conformer {
       refined_spots.push_back(spot);
     };
     for (std::size_t c = 0; c + 1 < rings.first_point.size(); ++c) {
-      for (std::uint32_t p = rings.first_point[c]; p < rings.first_point[c + 1]; ++p) {
+      for (const SlicePoint p : Indices(rings.first_point[c], rings.first_point[c + 1])) {
         add(rings.points[p], spots[p]);
         if (within[p] == none) continue;
         const Point2 a = given.points[spots[p].from], b = given.points[given_next[spots[p].from]];
         const Spot start = spots[p], end = spots[next[p]].t == 0 ? Spot{start.from, 1, 0} : spots[next[p]];
-        const std::uint32_t v = within[p];
+        const SlicePoint v = within[p];
         Spot split_at = opposite(start.from, a, b, rings.points[v]);
         if (!(start.t < split_at.t && split_at.t < end.t && end.u < split_at.u && split_at.u < start.u) ||
             !settles(rings.points[p], rings.points[next[p]], between(a, b, split_at), rings.points[v],
@@ -111,7 +111,7 @@ class Conformer {
                                 sharp(given, given_next, given_next[start.from]));
         add(between(a, b, split_at), split_at);
       }
-      refined.first_point.push_back(static_cast<std::uint32_t>(refined.points.size()));
+      refined.first_point.emplace_back(refined.points.size());
     }
     rings = std::move(refined);
     spots = std::move(refined_spots);
@@ -124,7 +124,7 @@ class Conformer {
   }
 
   /// The foot of v on the edge from a to b.
-  static Spot opposite(std::uint32_t from, Point2 a, Point2 b, Point2 v) {
+  static Spot opposite(SlicePoint from, Point2 a, Point2 b, Point2 v) {
     const double x = b.x - a.x, y = b.y - a.y, square = x * x + y * y;
     double t = ((v.x - a.x) * x + (v.y - a.y) * y) / square, u = ((b.x - v.x) * x + (b.y - v.y) * y) / square;
     if (t < u)
@@ -158,11 +158,11 @@ class Conformer {
     return at_start ? Spot{start.from, share, 1 - share} : Spot{start.from, 1 - share, share};
   }
 
-  static bool sharp(const Rings& given, const std::vector<std::uint32_t>& next, std::uint32_t p) {
+  static bool sharp(const Rings& given, const Table<SlicePoint, SlicePoint>& next, SlicePoint p) {
     // The point before p on its contour: contours are contiguous.
     const auto c = std::upper_bound(given.first_point.begin(), given.first_point.end(), p);
-    const std::uint32_t first = *(c - 1), end = *c;
-    const Point2 before = given.points[p == first ? end - 1 : p - 1], at = given.points[p],
+    const SlicePoint first = *(c - 1), end = *c;
+    const Point2 before = given.points[SlicePoint(p == first ? end - 1 : p - 1)], at = given.points[p],
                  after = given.points[next[p]];
     return (before.x - at.x) * (after.x - at.x) + (before.y - at.y) * (after.y - at.y) > 0;
   }
@@ -185,6 +185,11 @@ class Conformer {
 };
 
 }  // namespace
+
+std::vector<SlicePoint> order_of(const Table<SlicePoint, Point2>& points) {
+  const std::vector<std::uint32_t> order = spatial_order(points);
+  return std::vector<SlicePoint>(order.begin(), order.end());
+}
 
 Vertex encroacher(const Cdt& cdt, Face face, int i) {
   // Which of the edge's sides is asked about depends on where its triangles lie in memory, and rounded heights on which
@@ -211,13 +216,13 @@ bool is_delaunay(const Cdt& cdt, Face face, int i) {
                                        other->vertex(cdt.mirror_index(face, i))->point()) != CGAL::ON_POSITIVE_SIDE;
 }
 
-std::vector<Vertex> insert_points(Cdt& cdt, const std::vector<Point2>& points,
-                                  const std::vector<std::uint32_t>& order) {
-  std::vector<Vertex> vertices(points.size());
+Table<SlicePoint, Vertex> insert_points(Cdt& cdt, const Table<SlicePoint, Point2>& points,
+                                        const std::vector<SlicePoint>& order) {
+  Table<SlicePoint, Vertex> vertices(points.size());
   Face hint;
-  for (const std::uint32_t p : order) {
+  for (const SlicePoint p : order) {
     vertices[p] = cdt.insert(Kernel::Point_2(points[p].x, points[p].y), hint);
-    vertices[p]->info().value = p;
+    vertices[p]->info() = p;
     hint = vertices[p]->face();
   }
   return vertices;

@@ -14,14 +14,14 @@ namespace odontoscope::delaunay {
 
 /// Contours as points in one array, each with its follower.
 struct Rings {
-  std::vector<Point2> points;
-  std::vector<std::uint32_t> first_point{0};
+  Table<SlicePoint, Point2> points;
+  std::vector<SlicePoint> first_point{SlicePoint(0)};
 
-  std::vector<std::uint32_t> next() const {
-    std::vector<std::uint32_t> follower(points.size());
+  Table<SlicePoint, SlicePoint> next() const {
+    Table<SlicePoint, SlicePoint> follower(points.size());
     for (std::size_t c = 0; c + 1 < first_point.size(); ++c)
-      for (std::uint32_t p = first_point[c]; p < first_point[c + 1]; ++p)
-        follower[p] = p + 1 < first_point[c + 1] ? p + 1 : first_point[c];
+      for (const SlicePoint p : Indices(first_point[c], first_point[c + 1]))
+        follower[p] = p + 1 < first_point[c + 1] ? SlicePoint(p + 1) : first_point[c];
     return follower;
   }
 };
@@ -35,7 +35,7 @@ enum class Fineness { gabriel, delaunay, constrained };
 struct Refinement {
   Rings& rings;
   Cdt& cdt;
-  std::vector<std::uint32_t>& order;
+  std::vector<SlicePoint>& order;
 };
 
 /// Refines `rings`, the contours of `slice` of one structure, and leaves their triangulation in `cdt`, points numbered

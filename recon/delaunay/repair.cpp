@@ -13,8 +13,8 @@ namespace {
 class Repair {
  public:
   /// `suspects`: the vertices to look at first.
-  Repair(const std::vector<SlabTetrahedron>& tets, const Planar& lower, const Planar& upper,
-         const std::vector<std::uint32_t>& owner, const std::vector<std::uint32_t>& suspects, std::vector<Fate>& fate)
+  Repair(const SlabTetrahedra& tets, const Planar& lower, const Planar& upper, const Owners& owner,
+         const std::vector<SlabPoint>& suspects, Fates& fate)
       : tets_(tets),
         owner_(owner),
         fate_(fate),
@@ -26,30 +26,30 @@ class Repair {
   bool run() {
     for (;;) {
       TetList put_back;
-      for (const std::uint32_t v : edges_waiting_)
+      for (const SlabPoint v : edges_waiting_)
         if (!mend_edges(v, put_back)) return false;
       edges_waiting_.clear();  // what is not put back at v leaves v as it is
       if (put_back.empty()) {
-        for (const std::uint32_t v : links_waiting_)
+        for (const SlabPoint v : links_waiting_)
           if (!mend_link(v, put_back)) return false;
         links_waiting_.clear();
       }
       if (put_back.empty()) return true;
-      for (const std::uint32_t t : put_back) restore(t);
+      for (const TetIndex t : put_back) restore(t);
     }
   }
 
   /// What was put back early may have become needless by what was put back later. The costliest go first.
   void prune() {
     std::stable_sort(restored_.begin(), restored_.end(),
-                     [this](std::uint32_t a, std::uint32_t b) { return costs_[a] > costs_[b]; });
+                     [this](TetIndex a, TetIndex b) { return costs_[a] > costs_[b]; });
     for (bool changed = true; changed;) {
       changed = false;
-      for (const std::uint32_t t : restored_) {
+      for (const TetIndex t : restored_) {
         if (fate_[t] != Fate::restored || !may_go(t)) continue;
         fate_[t] = Fate::removed;
         const auto& v = tets_[t].v;
-        if (std::all_of(v.begin(), v.end(), [this](std::uint32_t w) { return links_.regular(w); }))
+        if (std::all_of(v.begin(), v.end(), [this](SlabPoint w) { return links_.regular(w); }))
           changed = true;
         else
           fate_[t] = Fate::restored;
@@ -58,7 +58,7 @@ class Repair {
   }
 
  private:
-  void restore(std::uint32_t t) {
+  void restore(TetIndex t) {
     if (links_.in(t)) return;
     fate_[t] = Fate::restored;
     restored_.push_back(t);
@@ -69,9 +69,9 @@ class Repair {
   /// Quickly, what speaks against taking t out again: with at most one open face it would leave a pocket shut in at a
   /// vertex; with two, the edge between the other two faces must have nothing else open around it. A cheap filter:
   /// links are then tested in full.
-  bool may_go(std::uint32_t t) const {
+  bool may_go(TetIndex t) const {
     const SlabTetrahedron& tet = tets_[t];
-    std::array<std::uint32_t, 4> open{};
+    std::array<SlabPoint, 4> open;
     int count = 0;
     for (int i = 0; i < 4; ++i)
       if (tet.nb[i] == none || !links_.in(tet.nb[i])) open[count++] = tet.v[i];
@@ -81,17 +81,17 @@ class Repair {
 
   Cost cost_of(const TetList& tets) const {
     Cost cost;
-    for (const std::uint32_t t : tets) cost = cost + costs_[t];
+    for (const TetIndex t : tets) cost = cost + costs_[t];
     return cost;
   }
 
   bool allowed(const TetList& tets) const {
-    return std::all_of(tets.begin(), tets.end(), [this](std::uint32_t t) { return owner_[t] != none; });
+    return std::all_of(tets.begin(), tets.end(), [this](TetIndex t) { return owner_[t] != none; });
   }
 
   /// Closes all gaps around each edge at v but the costliest; where the ring is open at the hull or a slice, that one
   /// too.
-  bool mend_edges(std::uint32_t v, TetList& put_back) {
+  bool mend_edges(SlabPoint v, TetList& put_back) {
     for (const auto& [w, t] : links_.mixed_edges(v)) {
       Links::Gaps gaps = links_.gaps(v, w, t);
       if (!gaps.singular()) continue;
@@ -111,7 +111,7 @@ class Repair {
   }
 
   /// Joins two fans of v by the cheapest way round, or fills what they shut in.
-  bool mend_link(std::uint32_t v, TetList& put_back) {
+  bool mend_link(SlabPoint v, TetList& put_back) {
     const std::vector<TetList> fans = links_.fans(v);
     const TetList filling = fans.size() > 1 ? cheapest_join(v, fans) : links_.shut_in(v);
     if ((fans.size() > 1 && filling.empty()) || !allowed(filling)) return false;
@@ -119,16 +119,16 @@ class Repair {
     return true;
   }
 
-  TetList cheapest_join(std::uint32_t v, const std::vector<TetList>& fans) const {
+  TetList cheapest_join(SlabPoint v, const std::vector<TetList>& fans) const {
     TetList best;
     Cost least;
     for (const TetList& fan : fans) {
-      const std::set<std::uint32_t> own(fan.begin(), fan.end());
+      const std::set<TetIndex> own(fan.begin(), fan.end());
       Cost cost;
       TetList way = shortest_path(
-          tets_, costs_, fan, [&](std::uint32_t t, int i) { return tets_[t].v[i] != v; },
-          [&](std::uint32_t t) { return !links_.in(t) && owner_[t] != none; },
-          [&](std::uint32_t t) { return links_.in(t) && own.count(t) == 0; }, cost, best.empty() ? nullptr : &least);
+          tets_, costs_, fan, [&](TetIndex t, int i) { return tets_[t].v[i] != v; },
+          [&](TetIndex t) { return !links_.in(t) && owner_[t] != none; },
+          [&](TetIndex t) { return links_.in(t) && own.count(t) == 0; }, cost, best.empty() ? nullptr : &least);
       if (!way.empty() && (best.empty() || cost < least)) {
         best = std::move(way);
         least = cost;
@@ -137,21 +137,20 @@ class Repair {
     return best;
   }
 
-  const std::vector<SlabTetrahedron>& tets_;
-  const std::vector<std::uint32_t>& owner_;
-  std::vector<Fate>& fate_;
-  std::vector<Cost> costs_;
+  const SlabTetrahedra& tets_;
+  const Owners& owner_;
+  Fates& fate_;
+  Costs costs_;
   Links links_;
-  std::set<std::uint32_t> edges_waiting_,
+  std::set<SlabPoint> edges_waiting_,
       links_waiting_;  // vertices at which something changed since they were looked at
   TetList restored_;
 };
 
 /// The faces between the kept tetrahedra and anything else, except those that lie in a region.
-std::vector<std::array<std::uint32_t, 3>> interface_of(const std::vector<SlabTetrahedron>& tets,
-                                                       const std::vector<Fate>& fate) {
-  std::vector<std::array<std::uint32_t, 3>> faces;
-  for (std::size_t t = 0; t < tets.size(); ++t) {
+std::vector<std::array<SlabPoint, 3>> interface_of(const SlabTetrahedra& tets, const Fates& fate) {
+  std::vector<std::array<SlabPoint, 3>> faces;
+  for (const TetIndex t : tets.indices()) {
     if (fate[t] == Fate::removed) continue;
     const SlabTetrahedron& tet = tets[t];
     // What elimination keeps of a 3-1 stands on an internal triangle; the face opposite its apex is that triangle.
@@ -169,33 +168,37 @@ std::vector<std::array<std::uint32_t, 3>> interface_of(const std::vector<SlabTet
 /// disc. So the graph that the faces leave on the vertex's neighbours is one simple path between its two contour
 /// neighbours, through points of the other slice only (a point of its own slice would be the far end of an internal
 /// edge with a gap above it). Precondition: nothing is restored yet.
-std::vector<std::uint32_t> suspects(const std::vector<SlabTetrahedron>& tets, const Planar& lower, const Planar& upper,
-                                    const std::vector<Fate>& fate) {
+std::vector<SlabPoint> suspects(const SlabTetrahedra& tets, const Planar& lower, const Planar& upper,
+                                const Fates& fate) {
   const auto faces = interface_of(tets, fate);
-  const auto offset = static_cast<std::uint32_t>(lower.points.size());
-  const auto points = static_cast<std::uint32_t>(lower.points.size() + upper.points.size());
-  std::vector<std::uint32_t> first(points + 1, 0);
+  const SlabNumbers numbers(lower);
+  const std::size_t points = lower.points.size() + upper.points.size();
+  Table<SlabPoint, std::uint32_t> first(points + 1, 0);
   for (const auto& face : faces)
-    for (const std::uint32_t v : face) ++first[v + 1];
-  for (std::uint32_t v = 0; v < points; ++v) first[v + 1] += first[v];
-  std::vector<std::array<std::uint32_t, 2>> strip(first[points]);
-  std::vector<std::uint32_t> fill(first.begin(), first.end() - 1);
+    for (const SlabPoint v : face) ++first[SlabPoint(v + 1)];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::array<SlabPoint, 2>> strip(first.back());
+  Table<SlabPoint, std::uint32_t> fill(first.begin(), first.end() - 1);
   for (const auto& face : faces)
     for (int i = 0; i < 3; ++i) strip[fill[face[i]]++] = {face[(i + 1) % 3], face[(i + 2) % 3]};
 
-  std::vector<std::uint32_t> found, passed(points, none);
-  for (std::uint32_t v = 0; v < points; ++v) {
-    const std::uint32_t start = v < offset ? lower.previous[v] : offset + upper.previous[v - offset];
-    const std::uint32_t end = v < offset ? lower.next[v] : offset + upper.next[v - offset];
-    std::uint32_t at = start, left = first[v + 1] - first[v];
+  std::vector<SlabPoint> found;
+  Table<SlabPoint, SlabPoint> passed(points, none);  // of each point: round which it was passed last
+  for (const SlabPoint v : passed.indices()) {
+    const SlicePoint own = numbers.own(v);
+    const bool is_lower = numbers.is_lower(v);
+    const SlabPoint start = is_lower ? numbers.of_lower(lower.previous[own]) : numbers.of_upper(upper.previous[own]);
+    const SlabPoint end = is_lower ? numbers.of_lower(lower.next[own]) : numbers.of_upper(upper.next[own]);
+    SlabPoint at = start;
     const std::uint32_t from = first[v];
+    std::uint32_t left = first[SlabPoint(v + 1)] - from;
     while (left > 0 && at != end) {  // eat the strip from its start; each step takes one face out
       std::uint32_t s = from;
       while (s < from + left && strip[s][0] != at && strip[s][1] != at) ++s;
       if (s == from + left) break;
       at = strip[s][0] == at ? strip[s][1] : strip[s][0];
       std::swap(strip[s], strip[from + --left]);
-      if (at != end && ((at < offset) == (v < offset) || passed[at] == v)) break;
+      if (at != end && (numbers.is_lower(at) == is_lower || passed[at] == v)) break;
       passed[at] = v;
     }
     if (left > 0 || at != end) found.push_back(v);
@@ -205,16 +208,16 @@ std::vector<std::uint32_t> suspects(const std::vector<SlabTetrahedron>& tets, co
 
 }  // namespace
 
-bool repair(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower, const Planar& upper,
-            const std::vector<std::uint32_t>& owner, std::vector<Fate>& fate) {
+bool repair(const SlabTetrahedra& tetrahedra, const Planar& lower, const Planar& upper, const Owners& owner,
+            Fates& fate) {
   // What was restored before the call joins pieces on purpose: look at every vertex, and take nothing out.
   const bool fresh = std::find(fate.begin(), fate.end(), Fate::restored) == fate.end();
-  std::vector<std::uint32_t> doubtful;
+  std::vector<SlabPoint> doubtful;
   if (fresh) {
     doubtful = suspects(tetrahedra, lower, upper, fate);
   } else {
     doubtful.resize(lower.points.size() + upper.points.size());
-    std::iota(doubtful.begin(), doubtful.end(), 0u);
+    std::iota(doubtful.begin(), doubtful.end(), SlabPoint(0));
   }
   if (doubtful.empty()) return true;
   Repair work(tetrahedra, lower, upper, owner, doubtful, fate);

@@ -13,7 +13,7 @@
 
 namespace odontoscope::delaunay {
 
-using TetList = std::vector<std::uint32_t>;
+using TetList = std::vector<TetIndex>;
 
 /// Cost of putting tetrahedra back: how many flat ones (which could hardly be split and lifted), how many at all, how
 /// large. Geometric, so that the choice does not hang on the order of the input.
@@ -21,12 +21,14 @@ struct Cost {
   std::size_t flat = 0;
   std::size_t count = 0;
   double volume = 0;
-  friend auto operator<=>(const Cost&, const Cost&) = default;
+  friend auto operator<=>(const Cost&, const Cost&) = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 errs
 };
 
-/// Of one tetrahedron. Its volume is taken six times, for a slab of height 1; it is flat where its in-plane triangle or
-/// the angle between its two in-plane edges is thinner than limits::flat_share.
-std::vector<Cost> costs_of(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower, const Planar& upper);
+using Costs = Table<TetIndex, Cost>;
+
+/// Of each tetrahedron. Its volume is taken six times, for a slab of height 1; it is flat where its in-plane triangle
+/// or the angle between its two in-plane edges is thinner than limits::flat_share.
+Costs costs_of(const SlabTetrahedra& tetrahedra, const Planar& lower, const Planar& upper);
 
 inline Cost operator+(const Cost& a, const Cost& b) {
   return {a.flat + b.flat, a.count + b.count, a.volume + b.volume};
@@ -36,24 +38,21 @@ inline Cost operator+(const Cost& a, const Cost& b) {
 /// neither end included. `leave(t, i)` says whether the way may cross face i of tetrahedron t. Empty if there is none,
 /// or none cheaper than `*bound`, where one is given. `cost` receives its cost.
 template <class Leave, class MayPass, class IsTarget>
-TetList shortest_path(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<Cost>& costs,
-                      const TetList& from, Leave leave, MayPass may_pass, IsTarget is_target, Cost& cost,
-                      const Cost* bound = nullptr) {
+TetList shortest_path(const SlabTetrahedra& tetrahedra, const Costs& costs, const TetList& from, Leave leave,
+                      MayPass may_pass, IsTarget is_target, Cost& cost, const Cost* bound = nullptr) {
   struct Step {
     Cost cost;
-    std::uint32_t tet;
+    TetIndex tet;
     bool operator<(const Step& other) const {
       return std::tie(other.cost, other.tet) < std::tie(cost, tet);
     }  // cheapest on top
   };
   std::priority_queue<Step> open;
-  std::unordered_map<std::uint32_t, std::pair<Cost, std::uint32_t>>
-      best;  // and the tetrahedron behind; looked up, never walked
-  for (const std::uint32_t t : from) best[t] = {Cost{}, none};
-  for (const std::uint32_t t : from) {  // from within nothing begins
+  std::unordered_map<TetIndex, std::pair<Cost, TetIndex>> best;  // and the tetrahedron behind; looked up, never walked
+  for (const TetIndex t : from) best[t] = {Cost{}, none};
+  for (const TetIndex t : from) {  // from within nothing begins
     const auto& nb = tetrahedra[t].nb;
-    if (std::any_of(nb.begin(), nb.end(),
-                    [&best](std::uint32_t other) { return other != none && best.count(other) == 0; }))
+    if (std::any_of(nb.begin(), nb.end(), [&best](TetIndex other) { return other != none && best.count(other) == 0; }))
       open.push({Cost{}, t});
   }
   while (!open.empty()) {
@@ -63,12 +62,12 @@ TetList shortest_path(const std::vector<SlabTetrahedron>& tetrahedra, const std:
     if (best[step.tet].first < step.cost) continue;
     if (best[step.tet].second != none && is_target(step.tet)) {
       TetList way;
-      for (std::uint32_t t = best[step.tet].second; best[t].second != none; t = best[t].second) way.push_back(t);
+      for (TetIndex t = best[step.tet].second; best[t].second != none; t = best[t].second) way.push_back(t);
       cost = step.cost;
       return way;
     }
     for (int i = 0; i < 4; ++i) {
-      const std::uint32_t other = tetrahedra[step.tet].nb[i];
+      const TetIndex other = tetrahedra[step.tet].nb[i];
       if (other == none || !leave(step.tet, i)) continue;
       const bool target = is_target(other);
       if (!target && !may_pass(other)) continue;

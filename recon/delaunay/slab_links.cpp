@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "recon/core/limits.h"
 #include "recon/core/portable_math.h"
@@ -9,22 +10,21 @@
 namespace odontoscope::delaunay {
 namespace {
 
-int index_of(const SlabTetrahedron& tet, std::uint32_t v) {
+int index_of(const SlabTetrahedron& tet, SlabPoint v) {
   return tet.v[0] == v ? 0 : tet.v[1] == v ? 1 : tet.v[2] == v ? 2 : 3;
 }
 
 /// From tetrahedron `t` turns around edge (a, b), leaving first through the face opposite `away`; true if it comes back
 /// to t.
-bool turn_around(const std::vector<SlabTetrahedron>& tets, std::uint32_t a, std::uint32_t b, std::uint32_t t,
-                 std::uint32_t away, TetList& ring) {
-  const std::uint32_t start = t;
+bool turn_around(const SlabTetrahedra& tets, SlabPoint a, SlabPoint b, TetIndex t, SlabPoint away, TetList& ring) {
+  const TetIndex start = t;
   for (;;) {
-    const std::uint32_t next = tets[t].nb[index_of(tets[t], away)];
+    const TetIndex next = tets[t].nb[index_of(tets[t], away)];
     if (next == none) return false;
     if (next == start) return true;
     // The vertex shared with the tetrahedron behind is the one to turn away from next.
-    away = *std::find_if(tets[t].v.begin(), tets[t].v.end(),
-                         [&](std::uint32_t w) { return w != a && w != b && w != away; });
+    away =
+        *std::find_if(tets[t].v.begin(), tets[t].v.end(), [&](SlabPoint w) { return w != a && w != b && w != away; });
     t = next;
     ring.push_back(t);
   }
@@ -32,14 +32,14 @@ bool turn_around(const std::vector<SlabTetrahedron>& tets, std::uint32_t a, std:
 
 }  // namespace
 
-std::vector<Cost> costs_of(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower, const Planar& upper) {
-  std::vector<Cost> costs;
+Costs costs_of(const SlabTetrahedra& tetrahedra, const Planar& lower, const Planar& upper) {
+  Costs costs;
   costs.reserve(tetrahedra.size());
-  const auto offset = static_cast<std::uint32_t>(lower.points.size());
+  const SlabNumbers numbers(lower);
   for (const SlabTetrahedron& tet : tetrahedra) {
     const auto vector = [&](int i, int j) {
       const auto point = [&](int k) {
-        return tet.v[k] < offset ? lower.points[tet.v[k]] : upper.points[tet.v[k] - offset];
+        return (numbers.is_lower(tet.v[k]) ? lower : upper).points[numbers.own(tet.v[k])];
       };
       return Point2{point(j).x - point(i).x, point(j).y - point(i).y};
     };
@@ -52,7 +52,7 @@ std::vector<Cost> costs_of(const std::vector<SlabTetrahedron>& tetrahedra, const
   return costs;
 }
 
-Links::Links(const std::vector<SlabTetrahedron>& tetrahedra, std::size_t points, const std::vector<Fate>& fate)
+Links::Links(const SlabTetrahedra& tetrahedra, std::size_t points, const Fates& fate)
     : tets_(tetrahedra),
       fate_(fate),
       first_(points + 1, 0),
@@ -60,23 +60,22 @@ Links::Links(const std::vector<SlabTetrahedron>& tetrahedra, std::size_t points,
       seen_vertex_(points, 0),
       seen_tet_(tetrahedra.size(), 0) {
   for (const SlabTetrahedron& tet : tets_)
-    for (const std::uint32_t v : tet.v) ++first_[v + 1];
-  for (std::size_t v = 0; v < points; ++v) first_[v + 1] += first_[v];
-  TetList fill(first_.begin(), first_.end() - 1);
-  for (std::uint32_t t = 0; t < tets_.size(); ++t)
-    for (const std::uint32_t v : tets_[t].v) star_[fill[v]++] = t;
+    for (const SlabPoint v : tet.v) ++first_[SlabPoint(v + 1)];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  Table<SlabPoint, std::uint32_t> fill(first_.begin(), first_.end() - 1);
+  for (const TetIndex t : tets_.indices())
+    for (const SlabPoint v : tets_[t].v) star_[fill[v]++] = t;
 }
 
-std::vector<std::array<std::uint32_t, 2>> Links::mixed_edges(std::uint32_t v) {
-  std::vector<std::array<std::uint32_t, 2>> edges;
+std::vector<Links::MixedEdge> Links::mixed_edges(SlabPoint v) {
+  std::vector<MixedEdge> edges;
   ++vertex_epoch_;
-  for (std::uint32_t s = first_[v]; s < first_[v + 1]; ++s) {
-    const std::uint32_t t = star_[s];
+  for (const TetIndex t : star(v)) {
     if (!in(t)) continue;
     const SlabTetrahedron& tet = tets_[t];
     for (int i = 0; i < 4; ++i) {
       if (tet.v[i] == v || tet.nb[i] == none || in(tet.nb[i])) continue;
-      for (const std::uint32_t w : tet.v) {
+      for (const SlabPoint w : tet.v) {
         if (w == v || w == tet.v[i] || seen_vertex_[w] == vertex_epoch_) continue;
         seen_vertex_[w] = vertex_epoch_;
         edges.push_back({w, t});
@@ -86,11 +85,11 @@ std::vector<std::array<std::uint32_t, 2>> Links::mixed_edges(std::uint32_t v) {
   return edges;
 }
 
-Links::Gaps Links::gaps(std::uint32_t a, std::uint32_t b, std::uint32_t t) const {
+Links::Gaps Links::gaps(SlabPoint a, SlabPoint b, TetIndex t) const {
   TetList ring;
-  std::array<std::uint32_t, 2> others{};
+  std::array<SlabPoint, 2> others;
   int count = 0;
-  for (const std::uint32_t w : tets_[t].v)
+  for (const SlabPoint w : tets_[t].v)
     if (w != a && w != b) others[count++] = w;
   Gaps found;
   found.closed = turn_around(tets_, a, b, t, others[0], ring);
@@ -103,7 +102,7 @@ Links::Gaps Links::gaps(std::uint32_t a, std::uint32_t b, std::uint32_t t) const
   while (first < n && !in(ring[first])) ++first;
   TetList run;
   for (std::size_t i = first + 1; first < n && i < n + (found.closed ? first + 1 : 0); ++i) {
-    const std::uint32_t here = ring[i % n];
+    const TetIndex here = ring[i % n];
     if (!in(here)) {
       run.push_back(here);
     } else if (!run.empty()) {
@@ -114,51 +113,52 @@ Links::Gaps Links::gaps(std::uint32_t a, std::uint32_t b, std::uint32_t t) const
   return found;
 }
 
-/// Adds to `seeds` what can be reached from them within v's star through faces at v, staying on the side `kept`, and
+/// Adds to `seeds` what can be reached from them within v's star through faces at v, staying in that part of it, and
 /// marks all of it.
-void Links::flood(std::uint32_t v, TetList& seeds, bool kept) {
-  for (const std::uint32_t t : seeds) seen_tet_[t] = tet_epoch_;
+void Links::flood(SlabPoint v, TetList& seeds, Part part) {
+  for (const TetIndex t : seeds) seen_tet_[t] = tet_epoch_;
   for (std::size_t at = 0; at < seeds.size(); ++at) {
     const SlabTetrahedron& tet = tets_[seeds[at]];
     for (int i = 0; i < 4; ++i) {
-      const std::uint32_t other = tet.nb[i];
-      if (tet.v[i] == v || other == none || in(other) != kept || seen_tet_[other] == tet_epoch_) continue;
+      const TetIndex other = tet.nb[i];
+      if (tet.v[i] == v || other == none || in(other) != (part == Part::kept) || seen_tet_[other] == tet_epoch_)
+        continue;
       seen_tet_[other] = tet_epoch_;
       seeds.push_back(other);
     }
   }
 }
 
-std::vector<TetList> Links::fans(std::uint32_t v) {
+std::vector<TetList> Links::fans(SlabPoint v) {
   ++tet_epoch_;
   std::vector<TetList> found;
-  for (std::uint32_t s = first_[v]; s < first_[v + 1]; ++s) {
-    if (!in(star_[s]) || seen_tet_[star_[s]] == tet_epoch_) continue;
-    found.push_back({star_[s]});
-    flood(v, found.back(), true);
+  for (const TetIndex t : star(v)) {
+    if (!in(t) || seen_tet_[t] == tet_epoch_) continue;
+    found.push_back({t});
+    flood(v, found.back(), Part::kept);
   }
   return found;
 }
 
-TetList Links::shut_in(std::uint32_t v) {
+TetList Links::shut_in(SlabPoint v) {
   ++tet_epoch_;
   TetList at_border, enclosed;
-  for (std::uint32_t s = first_[v]; s < first_[v + 1]; ++s) {
-    const SlabTetrahedron& tet = tets_[star_[s]];
-    if (in(star_[s])) continue;
+  for (const TetIndex t : star(v)) {
+    const SlabTetrahedron& tet = tets_[t];
+    if (in(t)) continue;
     for (int i = 0; i < 4; ++i)
       if (tet.v[i] != v && tet.nb[i] == none) {
-        at_border.push_back(star_[s]);
+        at_border.push_back(t);
         break;
       }
   }
-  flood(v, at_border, false);
-  for (std::uint32_t s = first_[v]; s < first_[v + 1]; ++s)
-    if (!in(star_[s]) && seen_tet_[star_[s]] != tet_epoch_) enclosed.push_back(star_[s]);
+  flood(v, at_border, Part::removed);
+  for (const TetIndex t : star(v))
+    if (!in(t) && seen_tet_[t] != tet_epoch_) enclosed.push_back(t);
   return enclosed;
 }
 
-bool Links::regular(std::uint32_t v) {
+bool Links::regular(SlabPoint v) {
   for (const auto& [w, t] : mixed_edges(v))
     if (gaps(v, w, t).singular()) return false;
   return fans(v).size() <= 1 && shut_in(v).empty();

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "recon/delaunay/carve.h"
@@ -13,13 +14,17 @@ namespace odontoscope::delaunay {
 
 class Links {
  public:
-  Links(const std::vector<SlabTetrahedron>& tetrahedra, std::size_t points, const std::vector<Fate>& fate);
+  Links(const SlabTetrahedra& tetrahedra, std::size_t points, const Fates& fate);
 
-  bool in(std::uint32_t t) const { return fate_[t] != Fate::removed; }
+  bool in(TetIndex t) const { return fate_[t] != Fate::removed; }
 
   /// Other ends of v's edges that have both kept and removed tetrahedra around them, each with one kept tetrahedron on
   /// it.
-  std::vector<std::array<std::uint32_t, 2>> mixed_edges(std::uint32_t v);
+  struct MixedEdge {
+    SlabPoint end;
+    TetIndex kept;
+  };
+  std::vector<MixedEdge> mixed_edges(SlabPoint v);
 
   /// Around an edge (a, b) of tetrahedron t: the runs of removed tetrahedra between kept ones.
   struct Gaps {
@@ -29,25 +34,31 @@ class Links {
     bool singular() const { return runs.size() > (closed ? 1u : 0u); }
     bool closed_and_full() const { return closed && runs.empty(); }
   };
-  Gaps gaps(std::uint32_t a, std::uint32_t b, std::uint32_t t) const;
+  Gaps gaps(SlabPoint a, SlabPoint b, TetIndex t) const;
 
   /// The kept tetrahedra at v, in pieces that are connected through faces at v.
-  std::vector<TetList> fans(std::uint32_t v);
+  std::vector<TetList> fans(SlabPoint v);
 
   /// The removed tetrahedra at v that are shut in by kept ones: not connected to what lies beyond the hull and the
   /// slices.
-  TetList shut_in(std::uint32_t v);
+  TetList shut_in(SlabPoint v);
 
   /// No singular edge at v, one fan, nothing shut in.
-  bool regular(std::uint32_t v);
+  bool regular(SlabPoint v);
 
  private:
-  void flood(std::uint32_t v, TetList& seeds, bool kept);
+  enum class Part { kept, removed };
+  void flood(SlabPoint v, TetList& seeds, Part part);
+  std::span<const TetIndex> star(SlabPoint v) const {
+    return {star_.begin() + first_[v], star_.begin() + first_[SlabPoint(v + 1)]};
+  }
 
-  const std::vector<SlabTetrahedron>& tets_;
-  const std::vector<Fate>& fate_;
-  TetList first_, star_;  // tetrahedra at v: star_[first_[v]] to star_[first_[v+1]]
-  std::vector<std::uint32_t> seen_vertex_, seen_tet_;
+  const SlabTetrahedra& tets_;
+  const Fates& fate_;
+  Table<SlabPoint, std::uint32_t> first_;  // tetrahedra at v: star_[first_[v]] to star_[first_[v+1]]
+  TetList star_;
+  Table<SlabPoint, std::uint32_t> seen_vertex_;
+  Table<TetIndex, std::uint32_t> seen_tet_;
   std::uint32_t vertex_epoch_ = 0, tet_epoch_ = 0;
 };
 

@@ -36,17 +36,17 @@ std::vector<Box> boxes_of(const Planar& planar) {
 }
 
 /// For each triangle of `of` the one of `in` that its middle lies in, the first of several; none beyond the hull.
-std::vector<std::uint32_t> located(const Planar& of, const Planar& in) {
+Table<TriangleIndex, TriangleIndex> located(const Planar& of, const Planar& in) {
   std::vector<Box> places, fields = boxes_of(in);
   for (const PlanarTriangle& t : of.triangles) {
     const Point2 p = middle(of, t);
     places.emplace_back(std::array{p.x, p.y}.data(), std::array{p.x, p.y}.data(), &t);
   }
-  std::vector<std::uint32_t> found(of.triangles.size(), none);
+  Table<TriangleIndex, TriangleIndex> found(of.triangles.size(), none);
   CGAL::box_intersection_d(places.begin(), places.end(), fields.begin(), fields.end(),
                            [&](const Box& place, const Box& field) {
-                             const auto t = static_cast<std::size_t>(place.handle() - of.triangles.data());
-                             const auto u = static_cast<std::uint32_t>(field.handle() - in.triangles.data());
+                             const TriangleIndex t(place.handle() - of.triangles.data());
+                             const TriangleIndex u(field.handle() - in.triangles.data());
                              if (u < found[t] && covers(in, *field.handle(), middle(of, *place.handle()))) found[t] = u;
                            });
   return found;
@@ -54,10 +54,10 @@ std::vector<std::uint32_t> located(const Planar& of, const Planar& in) {
 
 struct Labelled {
   const Planar& planar;
-  const std::vector<std::uint32_t>& void_of_triangle;
+  const Table<TriangleIndex, std::uint32_t>& void_of_triangle;
 
-  std::uint32_t region(std::uint32_t t) const { return t == none ? none : planar.triangles[t].region; }
-  std::uint32_t hollow(std::uint32_t t) const { return t == none ? outside : void_of_triangle[t]; }
+  std::uint32_t region(TriangleIndex t) const { return t == none ? none : planar.triangles[t].region; }
+  std::uint32_t hollow(TriangleIndex t) const { return t == none ? outside : void_of_triangle[t]; }
 };
 
 }  // namespace
@@ -69,15 +69,16 @@ SlabSurvey overlaid_slab(const ConformedSlice& lower, const ConformedSlice& uppe
   const Labelled lows{lower.planar, below.of_triangle}, highs{upper.planar, above.of_triangle};
   Witnesses regions, voids;
   voids.add(outside, outside, LinkCriterion::reverse);
-  const auto see = [&](std::uint32_t t, std::uint32_t u) {
+  const auto see = [&](TriangleIndex t, TriangleIndex u) {
     if (lows.region(t) != none && highs.region(u) != none)
       regions.add(lows.region(t), highs.region(u), LinkCriterion::medial);
     if (lows.region(t) == none && highs.region(u) == none)
       voids.add(lows.hollow(t), highs.hollow(u), LinkCriterion::medial);
   };
-  const std::vector<std::uint32_t> up = located(lower.planar, upper.planar), down = located(upper.planar, lower.planar);
-  for (std::uint32_t t = 0; t < up.size(); ++t) see(t, up[t]);
-  for (std::uint32_t u = 0; u < down.size(); ++u) see(down[u], u);
+  const Table<TriangleIndex, TriangleIndex> up = located(lower.planar, upper.planar),
+                                            down = located(upper.planar, lower.planar);
+  for (const TriangleIndex t : up.indices()) see(t, up[t]);
+  for (const TriangleIndex u : down.indices()) see(down[u], u);
   return {regions.links(), voids.links()};
 }
 

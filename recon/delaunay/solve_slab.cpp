@@ -88,7 +88,7 @@ class SlabSolver {
     if (made == Blocked::yes) group.solid = std::move(solid);
   }
 
-  void solve_in(Group& group, const std::vector<SlabTetrahedron>& tets, const Planar& lower, const Planar& upper) {
+  void solve_in(Group& group, const SlabTetrahedra& tets, const Planar& lower, const Planar& upper) {
     if (group.components.size() > 1) {
       if (carve(group, tets, lower, upper)) return;
       const Component all = united(group.components);
@@ -97,28 +97,29 @@ class SlabSolver {
       remember_merger(group);
       group.components = {all};
     }
-    std::vector<Fate> fate = eliminate(tets, lower, upper);
-    if (finish(group, tets, fate, std::vector<std::uint32_t>(tets.size(), 0), lower, upper)) return;
+    Fates fate = eliminate(tets, lower, upper);
+    if (finish(group, tets, fate, Owners(tets.size(), 0), lower, upper)) return;
     throw InternalError(
         fmt::format("the slab between z = {} and {} could not be repaired", task_.lower.z, task_.upper.z));
   }
 
   /// The components of a group from one triangulation: tetrahedra with points of two components belong to none.
-  bool carve(Group& group, const std::vector<SlabTetrahedron>& tets, const Planar& lower, const Planar& upper) {
+  bool carve(Group& group, const SlabTetrahedra& tets, const Planar& lower, const Planar& upper) {
     std::vector<std::uint32_t> of_lower(task_.lower.regions(), 0), of_upper(task_.upper.regions(), 0);
     for (std::uint32_t c = 0; c < group.components.size(); ++c) {
       for (const std::uint32_t r : group.components[c].lower) of_lower[r] = c;
       for (const std::uint32_t r : group.components[c].upper) of_upper[r] = c;
     }
-    std::vector<Fate> fate = eliminate(tets, lower, upper);
-    std::vector<std::uint32_t> owner(tets.size(), none);
-    for (std::size_t t = 0; t < tets.size(); ++t) {
-      const auto component = [&](std::uint32_t v) {
-        return v < lower.points.size() ? of_lower[lower.region_of[v]]
-                                       : of_upper[upper.region_of[v - lower.points.size()]];
+    Fates fate = eliminate(tets, lower, upper);
+    Owners owner(tets.size(), none);
+    const SlabNumbers numbers(lower);
+    for (const TetIndex t : tets.indices()) {
+      const auto component = [&](SlabPoint v) {
+        return numbers.is_lower(v) ? of_lower[lower.region_of[numbers.own(v)]]
+                                   : of_upper[upper.region_of[numbers.own(v)]];
       };
       const auto& v = tets[t].v;
-      if (std::all_of(v.begin() + 1, v.end(), [&](std::uint32_t w) { return component(w) == component(v[0]); }))
+      if (std::all_of(v.begin() + 1, v.end(), [&](SlabPoint w) { return component(w) == component(v[0]); }))
         owner[t] = component(v[0]);
       if (owner[t] != none || fate[t] == Fate::removed) continue;
       if (tets[t].lower_count != 2) return false;  // part of a region would go uncovered
@@ -127,8 +128,8 @@ class SlabSolver {
     return finish(group, tets, fate, owner, lower, upper);
   }
 
-  bool finish(Group& group, const std::vector<SlabTetrahedron>& tets, std::vector<Fate>& fate,
-              const std::vector<std::uint32_t>& owner, const Planar& lower, const Planar& upper) {
+  bool finish(Group& group, const SlabTetrahedra& tets, Fates& fate, const Owners& owner, const Planar& lower,
+              const Planar& upper) {
     SlabSolid solid;
     for (;;) {
       if (!repair(tets, lower, upper, owner, fate)) return false;
@@ -225,7 +226,7 @@ class SlabSolver {
 
   const SlabTask& task_;
   const Progress& progress_;
-  std::vector<SlabTetrahedron> whole_;
+  SlabTetrahedra whole_;
   std::vector<Group> groups_;
 };
 
@@ -301,10 +302,14 @@ SolvedSlab solve_slab(const SlabTask& task, const Progress& progress) {
 Boundary boundary_of(const ConformedSlice& lower, const ConformedSlice& upper, const SlabSolid& solid) {
   const auto& below = lower.planar.points;
   const auto& above = upper.planar.points;
+  const auto on = [](const Table<SlicePoint, Point2>& points, std::size_t v, double z) {
+    const Point2 p = points[SlicePoint(v)];
+    return Point3{p.x, p.y, z};
+  };
   const auto place = [&](std::size_t v) -> Point3 {
-    if (v < below.size()) return {below[v].x, below[v].y, lower.z};
+    if (v < below.size()) return on(below, v, lower.z);
     v -= below.size();
-    if (v < above.size()) return {above[v].x, above[v].y, upper.z};
+    if (v < above.size()) return on(above, v, upper.z);
     return solid.added[v - above.size()];
   };
   Boundary boundary;

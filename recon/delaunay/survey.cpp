@@ -48,7 +48,7 @@ SlabSurvey survey_slab(const ConformedSlice& lower, const ConformedSlice& upper,
   if (!has_material(lower, upper)) return {};
   if (!lower.conforming || !upper.conforming) return overlaid_slab(lower, upper, lower_voids, upper_voids);
   const Correspondence widest = criterion == Correspondence::tracked ? Correspondence::overlap : criterion;
-  const std::vector<SlabTetrahedron> tetrahedra = walked_slab(lower.planar, upper.planar);
+  const SlabTetrahedra tetrahedra = walked_slab(lower.planar, upper.planar);
   return {witnessed_links(tetrahedra, lower.planar, upper.planar, widest),
           witnessed_void_links(tetrahedra, lower.planar, upper.planar, voids_in(lower.planar, lower, lower_voids),
                                voids_in(upper.planar, upper, upper_voids), widest)};

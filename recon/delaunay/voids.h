@@ -34,8 +34,8 @@ SliceVoids voids_of(const ConformedSlice& slice);
 /// The voids of a triangulation of all or some regions of a slice. Where regions are left out (part_of), what they
 /// filled is void: an island whose ring is left out stands in the outside.
 struct PlanarVoids {
-  std::vector<std::uint32_t> beside_point;  // of each point: the void on the outer side of its contour
-  std::vector<std::uint32_t> of_triangle;   // of each triangle: its void; none for those of regions
+  Table<SlicePoint, std::uint32_t> beside_point;    // of each point: the void on the outer side of its contour
+  Table<TriangleIndex, std::uint32_t> of_triangle;  // of each triangle: its void; none for those of regions
 };
 
 /// `planar` is slice.planar or part_of it; voids keep the numbers that they have in `voids`, the slice's own.
@@ -49,8 +49,8 @@ PlanarVoids voids_in(const Planar& planar, const ConformedSlice& slice, const Sl
 /// Criteria wider than `widest` are not looked at. The outside is always linked with the outside, as `reverse`. A
 /// slice with no points is outside everywhere: each void of the other is linked with it, as `medial`. `tetrahedra`
 /// are triangulate_slab(lower, upper); empty where one of these is.
-std::vector<RegionLink> witnessed_void_links(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower,
-                                             const Planar& upper, const PlanarVoids& lower_voids,
-                                             const PlanarVoids& upper_voids, Correspondence widest);
+std::vector<RegionLink> witnessed_void_links(const SlabTetrahedra& tetrahedra, const Planar& lower, const Planar& upper,
+                                             const PlanarVoids& lower_voids, const PlanarVoids& upper_voids,
+                                             Correspondence widest);
 
 }  // namespace odontoscope::delaunay

@@ -12,6 +12,9 @@
 namespace odontoscope::partition {
 namespace {
 
+using delaunay::SlicePoint;
+using delaunay::TriangleIndex;
+
 [[noreturn]] void broken(const std::string& what) { throw InternalError("certificate of the partition: " + what); }
 
 /// Marks what a slab's tetrahedra have in one of its slices.
@@ -19,21 +22,23 @@ class InPlane {
  public:
   InPlane(const PartitionSlice& slice, std::uint32_t first, std::size_t number)
       : slice_(slice), first_(first), number_(number), met_(slice.planar.triangles.size(), false) {
-    for (std::uint32_t t = 0; t < slice.planar.triangles.size(); ++t) {
+    for (const TriangleIndex t : slice.planar.triangles.indices()) {
       auto v = slice.planar.triangles[t].v;
       std::sort(v.begin(), v.end());
       triangle_of_[v] = t;
     }
   }
 
-  void meet(std::vector<std::uint32_t> corners, Label label) {
-    for (std::uint32_t& v : corners) v -= first_;
+  /// `points`: in the numbering of the whole.
+  void meet(const std::vector<std::uint32_t>& points, Label label) {
+    std::vector<SlicePoint> corners;
+    for (const std::uint32_t p : points) corners.emplace_back(p - first_);
     if (corners.size() == 1 && !at_point(corners[0], label))
       broken(fmt::format("a point of slice {} is touched by what is no face there", number_));
     if (corners.size() == 2 && !sides_of(slice_, corners[0], corners[1]).has(label))
       broken(fmt::format("an edge of slice {} is touched by what is no face there", number_));
     if (corners.size() < 3) return;
-    std::array<std::uint32_t, 3> v{corners[0], corners[1], corners[2]};
+    std::array<SlicePoint, 3> v{corners[0], corners[1], corners[2]};
     std::sort(v.begin(), v.end());
     const auto found = triangle_of_.find(v);
     if (found == triangle_of_.end() || slice_.label(found->second) != label)
@@ -43,13 +48,13 @@ class InPlane {
   }
 
   void finish() const {
-    for (std::uint32_t t = 0; t < met_.size(); ++t)
+    for (const TriangleIndex t : met_.indices())
       if (slice_.label(t) != void_label && !met_[t]) broken(fmt::format("a face of slice {} is not filled", number_));
   }
 
  private:
-  bool at_point(std::uint32_t p, Label label) const {
-    for (std::uint32_t s = slice_.planar.first_spoke[p]; s < slice_.planar.first_spoke[p + 1]; ++s)
+  bool at_point(SlicePoint p, Label label) const {
+    for (const delaunay::SpokeIndex s : slice_.planar.spokes_of(p))
       if (slice_.label(slice_.planar.spokes[s].triangle) == label) return true;
     return false;
   }
@@ -57,8 +62,8 @@ class InPlane {
   const PartitionSlice& slice_;
   std::uint32_t first_;
   std::size_t number_;
-  std::vector<bool> met_;
-  std::map<std::array<std::uint32_t, 3>, std::uint32_t> triangle_of_;
+  Table<TriangleIndex, bool> met_;
+  std::map<std::array<SlicePoint, 3>, TriangleIndex> triangle_of_;
 };
 
 }  // namespace

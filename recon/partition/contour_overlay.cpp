@@ -30,7 +30,11 @@ struct FaceMembers {
 
 using OverlayFaceBase =
     CGAL::Triangulation_face_base_with_info_2<FaceMembers, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-using OverlayStructure = CGAL::Triangulation_data_structure_2<delaunay::VertexBase, OverlayFaceBase>;
+struct PointNumber {
+  std::uint32_t value = delaunay::none;  // of Borders::points
+};
+using OverlayVertexBase = CGAL::Triangulation_vertex_base_with_info_2<PointNumber, Kernel>;
+using OverlayStructure = CGAL::Triangulation_data_structure_2<OverlayVertexBase, OverlayFaceBase>;
 using Overlay =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, OverlayStructure, CGAL::No_constraint_intersection_tag>;
 

@@ -10,23 +10,23 @@ namespace odontoscope::partition {
 
 /// A triangle of each slice that lies in the same face as the dual point; none: outside the hull.
 struct DualTriangles {
-  std::uint32_t lower = delaunay::none, upper = delaunay::none;
+  delaunay::TriangleIndex lower, upper;
 };
 
 /// `tetrahedra` from delaunay::bare_slab of the two slices' triangulations. Exact where borders are Gabriel; where they
 /// are only Delaunay, it may be one on the other side of a gap.
-std::vector<DualTriangles> dual_triangles(const std::vector<delaunay::SlabTetrahedron>& tetrahedra,
-                                          const PartitionSlice& lower, const PartitionSlice& upper);
+Table<delaunay::TetIndex, DualTriangles> dual_triangles(const delaunay::SlabTetrahedra& tetrahedra,
+                                                        const PartitionSlice& lower, const PartitionSlice& upper);
 
 /// The triangles and labels on both sides of the edge from a to b, seen from +z.
 struct EdgeSides {
-  std::uint32_t left_triangle = delaunay::none, right_triangle = delaunay::none;
+  delaunay::TriangleIndex left_triangle, right_triangle;
   Label left = void_label, right = void_label;
   bool border() const { return left != right; }
   bool has(Label label) const { return left == label || right == label; }
   /// On the side of this label. Precondition: has(label).
-  std::uint32_t triangle(Label label) const { return left == label ? left_triangle : right_triangle; }
+  delaunay::TriangleIndex triangle(Label label) const { return left == label ? left_triangle : right_triangle; }
 };
-EdgeSides sides_of(const PartitionSlice& slice, std::uint32_t a, std::uint32_t b);
+EdgeSides sides_of(const PartitionSlice& slice, delaunay::SlicePoint a, delaunay::SlicePoint b);
 
 }  // namespace odontoscope::partition

@@ -11,14 +11,20 @@
 namespace odontoscope::partition {
 namespace {
 
+using delaunay::Side;
+using delaunay::SlabNumbers;
+using delaunay::SlabPoint;
+using delaunay::SlicePoint;
+using delaunay::TriangleIndex;
+
 using Labels = std::vector<Label>;  // ascending, each once
 
 /// Of the faces that meet at the point, the void beyond the hull among them.
-Labels labels_at(const PartitionSlice& slice, std::uint32_t point) {
+Labels labels_at(const PartitionSlice& slice, SlicePoint point) {
   Labels labels;
   const delaunay::Planar& planar = slice.planar;
-  for (std::uint32_t s = planar.first_spoke[point]; s < planar.first_spoke[point + 1]; ++s) {
-    const std::uint32_t t = planar.spokes[s].triangle;
+  for (const delaunay::SpokeIndex s : planar.spokes_of(point)) {
+    const TriangleIndex t = planar.spokes[s].triangle;
     labels.push_back(slice.label(t));
     if (t == delaunay::none) continue;
     const auto& triangle = planar.triangles[t];
@@ -37,7 +43,7 @@ bool is_meeting(const Labels& labels) { return labels.size() == 3 && labels.fron
 
 Meetings meetings_of(const PartitionSlice& slice) {
   Meetings meetings;
-  for (std::uint32_t p = 0; p < slice.planar.points.size(); ++p)
+  for (const SlicePoint p : slice.planar.points.indices())
     if (Labels labels = labels_at(slice, p); is_meeting(labels))
       meetings[std::move(labels)].push_back(slice.planar.points[p]);
   return meetings;
@@ -56,14 +62,14 @@ double distance(Point2 from, const std::vector<Point2>& to) {
 }
 
 /// Corners of the triangles, ascending, of those of one label that share corners together; by the first of them.
-std::map<std::uint32_t, std::vector<std::uint32_t>> corners_by_face(const PartitionSlice& slice,
-                                                                    const std::vector<std::uint32_t>& triangles) {
+std::map<std::uint32_t, std::vector<SlicePoint>> corners_by_face(const PartitionSlice& slice,
+                                                                 const std::vector<TriangleIndex>& triangles) {
   UnionFind faces(triangles.size());
-  std::map<std::pair<std::uint32_t, Label>, std::uint32_t> first;
+  std::map<std::pair<SlicePoint, Label>, std::uint32_t> first;
   for (std::uint32_t i = 0; i < triangles.size(); ++i)
-    for (const std::uint32_t p : slice.planar.triangles[triangles[i]].v)
+    for (const SlicePoint p : slice.planar.triangles[triangles[i]].v)
       faces.join(i, first.try_emplace({p, slice.label(triangles[i])}, i).first->second);
-  std::map<std::uint32_t, std::vector<std::uint32_t>> corners;
+  std::map<std::uint32_t, std::vector<SlicePoint>> corners;
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
     const auto& v = slice.planar.triangles[triangles[i]].v;
     auto& points = corners[faces.find(i)];
@@ -79,22 +85,23 @@ std::map<std::uint32_t, std::vector<std::uint32_t>> corners_by_face(const Partit
 /// Of those that meet there, the one that is neither the face's own nor void.
 Label neighbour(const Labels& meeting, Label own) { return meeting[1] == own ? meeting[2] : meeting[1]; }
 
-/// Adds those of one slice's points. `beyond`: the other slice's meetings.
-void add_ramps(const PartitionSlice& slice, const std::vector<std::uint32_t>& triangles, const Meetings& beyond,
-               const Materials& materials, std::uint32_t offset, std::vector<RaisedShare>& shares) {
+/// Adds those of one slice's points, as `number` numbers them in the slab. `beyond`: the other slice's meetings.
+template <class Number>
+void add_ramps(const PartitionSlice& slice, const std::vector<TriangleIndex>& triangles, const Meetings& beyond,
+               const Materials& materials, Number number, std::vector<RaisedShare>& shares) {
   for (const auto& [face, points] : corners_by_face(slice, triangles)) {
     const Label own = slice.label(triangles[face]);
     Meetings here;
-    for (const std::uint32_t p : points) {
+    for (const SlicePoint p : points) {
       const Labels labels = labels_at(slice, p);
       if (is_meeting(labels) && beyond.contains(labels) && materials.wins(neighbour(labels, own), own))
         here[labels].push_back(slice.planar.points[p]);
     }
-    for (const std::uint32_t p : points) {
+    for (const SlicePoint p : points) {
       const Point2 at = slice.planar.points[p];
       const bool outside = labels_at(slice, p).front() == void_label;
       double nearest = std::numeric_limits<double>::infinity();
-      RaisedShare one{p + offset};
+      RaisedShare one{number(p)};
       for (const auto& [labels, places] : here) {
         const double from = distance(at, places);
         if (from >= nearest) continue;
@@ -112,16 +119,19 @@ void add_ramps(const PartitionSlice& slice, const std::vector<std::uint32_t>& tr
 
 std::vector<RaisedShare> margin_ramp(const PartitionSlice& lower, const PartitionSlice& upper,
                                      const Materials& materials, const std::vector<EndingTriangle>& ending) {
-  std::vector<std::uint32_t> below, above;
+  std::vector<TriangleIndex> below, above;
   for (const EndingTriangle& one : ending)
-    if ((one.lower ? lower : upper).label(one.triangle) != void_label)
-      (one.lower ? below : above).push_back(one.triangle);
+    if ((one.slice == Side::lower ? lower : upper).label(one.triangle) != void_label)
+      (one.slice == Side::lower ? below : above).push_back(one.triangle);
   if (below.empty() && above.empty()) return {};
   const Meetings lower_meetings = meetings_of(lower), upper_meetings = meetings_of(upper);
   if (ending.size() * (count(lower_meetings) + count(upper_meetings)) > limits::ramp_pairs) return {};
   std::vector<RaisedShare> shares;
-  add_ramps(lower, below, upper_meetings, materials, 0, shares);
-  add_ramps(upper, above, lower_meetings, materials, static_cast<std::uint32_t>(lower.planar.points.size()), shares);
+  const SlabNumbers numbers(lower.planar);
+  add_ramps(
+      lower, below, upper_meetings, materials, [&](SlicePoint p) { return numbers.of_lower(p); }, shares);
+  add_ramps(
+      upper, above, lower_meetings, materials, [&](SlicePoint p) { return numbers.of_upper(p); }, shares);
   // A corner of two faces keeps the lower one.
   std::sort(shares.begin(), shares.end(), [](const RaisedShare& a, const RaisedShare& b) {
     return a.point != b.point ? a.point < b.point : a.share < b.share;

@@ -6,23 +6,24 @@
 // the next one of the other. What ends between the two rises on its outside by its share of that way, and on its inside
 // as little as usual: the margin slopes, and is a knife's edge and no step a slab high.
 
-#include <cstdint>
 #include <vector>
 
+#include "recon/delaunay/predicates.h"
+#include "recon/delaunay/slab.h"
 #include "recon/partition/planar_partition.h"
 
 namespace odontoscope::partition {
 
 /// A triangle of a slice whose face ends in the slab.
 struct EndingTriangle {
-  bool lower = false;  // of which slice
-  std::uint32_t triangle = 0;
+  delaunay::Side slice = delaunay::Side::lower;
+  delaunay::TriangleIndex triangle;
 };
 
 /// Of a slab's point (the lower slice's first), how far it is to be raised off its slice, over the slab's height (0: as
 /// usual), and what its face ends beside.
 struct RaisedShare {
-  std::uint32_t point = 0;
+  delaunay::SlabPoint point;
   double share = 0;
   Label beside = void_label;
 };

@@ -11,7 +11,6 @@
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
 #include "recon/core/portable_math.h"
-#include "recon/core/spatial_order.h"
 #include "recon/delaunay/constrained.h"
 #include "recon/partition/contour_overlay.h"
 #include "recon/partition/limits.h"
@@ -25,6 +24,9 @@ using delaunay::Face;
 using delaunay::Kernel;
 using delaunay::none;
 using delaunay::Planar;
+using delaunay::SlicePoint;
+using delaunay::SpokeIndex;
+using delaunay::TriangleIndex;
 using delaunay::Vertex;
 
 enum class Fineness { gabriel, delaunay, constrained };
@@ -32,7 +34,8 @@ enum class Fineness { gabriel, delaunay, constrained };
 /// A part of a given border, from share `t0` to `t1` of the way; `u0` and `u1` are those from the other end, kept apart
 /// so that a border and its mirror image are split alike to the last bit.
 struct Piece {
-  std::uint32_t a = 0, b = 0, border = 0;
+  SlicePoint a, b;
+  std::uint32_t border = 0;
   double t0 = 0, u0 = 1, t1 = 1, u1 = 0;
 };
 
@@ -43,14 +46,14 @@ class Conformer {
   Conformer(const Borders& given, Fineness fineness, const Progress& progress)
       : given_(given), fineness_(fineness), progress_(progress), points_(given.points) {
     for (std::uint32_t i = 0; i < given.pieces.size(); ++i)
-      pieces_.push_back({given.pieces[i].a, given.pieces[i].b, i});
-    std::vector<std::vector<std::uint32_t>> ends(points_.size());
-    for (const Border& border : given.pieces) {
-      ends[border.a].push_back(border.b);
-      ends[border.b].push_back(border.a);
+      pieces_.push_back({SlicePoint(given.pieces[i].a), SlicePoint(given.pieces[i].b), i});
+    Table<SlicePoint, std::vector<SlicePoint>> ends(points_.size());
+    for (const Piece& piece : pieces_) {
+      ends[piece.a].push_back(piece.b);
+      ends[piece.b].push_back(piece.a);
     }
     sharp_.resize(points_.size());
-    for (std::uint32_t p = 0; p < points_.size(); ++p) sharp_[p] = has_sharp_corner(p, ends[p]);
+    for (const SlicePoint p : points_.indices()) sharp_[p] = has_sharp_corner(p, ends[p]);
   }
 
   /// False if doubles do not suffice.
@@ -72,14 +75,15 @@ class Conformer {
     result.slice_point.resize(points_.size());
     std::iota(result.slice_point.begin(), result.slice_point.end(), 0u);
     result.next.assign(points_.size(), none);
-    result.previous = result.region_of = result.next;
+    result.previous = result.next;
+    result.region_of.assign(points_.size(), none);
     delaunay::copy_triangles(cdt_, result);
     label_triangles(result);
     return result;
   }
 
  private:
-  bool has_sharp_corner(std::uint32_t p, const std::vector<std::uint32_t>& others) const {
+  bool has_sharp_corner(SlicePoint p, const std::vector<SlicePoint>& others) const {
     for (std::size_t i = 0; i < others.size(); ++i)
       for (std::size_t k = 0; k < i; ++k) {
         const Point2 at = points_[p], q = points_[others[i]], r = points_[others[k]];
@@ -90,10 +94,10 @@ class Conformer {
 
   bool triangulate() {
     cdt_.clear();
-    order_ = spatial_order(points_);
+    order_ = delaunay::order_of(points_);
     vertices_ = delaunay::insert_points(cdt_, points_, order_);
-    for (const std::uint32_t p : order_)
-      if (vertices_[p]->info().value != p) return false;  // rounded onto another point
+    for (const SlicePoint p : order_)
+      if (vertices_[p]->info() != p) return false;  // rounded onto another point
     try {
       for (const Piece& piece : pieces_) cdt_.insert_constraint(vertices_[piece.a], vertices_[piece.b]);
     } catch (const Cdt::Intersection_of_constraints_exception&) {
@@ -113,15 +117,15 @@ class Conformer {
   }
 
   bool split_encroached() {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> splits;  // piece, and the point that is in its way
+    std::vector<std::pair<std::uint32_t, SlicePoint>> splits;  // piece, and the point that is in its way
     for (auto edge = cdt_.finite_edges_begin(); edge != cdt_.finite_edges_end(); ++edge) {
       if (!edge->first->is_constrained(edge->second)) continue;
       if (fineness_ == Fineness::delaunay && delaunay::is_delaunay(cdt_, edge->first, edge->second)) continue;
       const Vertex point = delaunay::encroacher(cdt_, edge->first, edge->second);
       if (point == Vertex()) continue;
-      const std::uint32_t a = edge->first->vertex(Cdt::ccw(edge->second))->info().value;
-      const std::uint32_t b = edge->first->vertex(Cdt::cw(edge->second))->info().value;
-      splits.emplace_back(of_edge_.at(std::minmax(a, b)), point->info().value);
+      const SlicePoint a = edge->first->vertex(Cdt::ccw(edge->second))->info();
+      const SlicePoint b = edge->first->vertex(Cdt::cw(edge->second))->info();
+      splits.emplace_back(of_edge_.at(std::minmax(a, b)), point->info());
     }
     std::sort(splits.begin(), splits.end());
     for (const auto& [piece, point] : splits) split(piece, points_[point]);
@@ -141,7 +145,8 @@ class Conformer {
                         (t - piece.t0) * length > gap && (piece.t1 - t) * length > gap;
     double u = 1 - t;
     if (!narrow) {
-      const bool at_start = sharp_[border.a] && piece.t0 == 0, at_end = sharp_[border.b] && piece.u1 == 0;
+      const bool at_start = sharp_[SlicePoint(border.a)] && piece.t0 == 0,
+                 at_end = sharp_[SlicePoint(border.b)] && piece.u1 == 0;
       t = (piece.t0 + piece.t1) / 2;
       u = (piece.u0 + piece.u1) / 2;
       if (at_start != at_end) {
@@ -151,7 +156,7 @@ class Conformer {
       }
     }
     const auto mix = [t, u](double from, double to) { return from == to ? from : from * u + to * t; };
-    const auto middle = static_cast<std::uint32_t>(points_.size());
+    const SlicePoint middle(points_.size());
     points_.push_back({mix(a.x, b.x), mix(a.y, b.y)});
     pieces_[number] = {piece.a, middle, piece.border, piece.t0, piece.u0, t, u};
     pieces_.push_back({middle, piece.b, piece.border, t, u, piece.t1, piece.u1});
@@ -161,11 +166,11 @@ class Conformer {
   void label_triangles(Planar& planar) const {
     constexpr std::uint32_t unknown = none - 1;
     for (auto& triangle : planar.triangles) triangle.region = unknown;
-    std::vector<std::uint32_t> stack;
+    std::vector<TriangleIndex> stack;
     const auto border = [&](const delaunay::PlanarTriangle& triangle, int k) {
       return of_edge_.find(std::minmax(triangle.v[(k + 1) % 3], triangle.v[(k + 2) % 3]));
     };
-    for (std::uint32_t t = 0; t < planar.triangles.size(); ++t)
+    for (const TriangleIndex t : planar.triangles.indices())
       for (int k = 0; k < 3; ++k) {
         const auto found = border(planar.triangles[t], k);
         if (found == of_edge_.end()) continue;
@@ -173,13 +178,13 @@ class Conformer {
         const Border& sides = given_.pieces[piece.border];
         const Label label = planar.triangles[t].v[(k + 1) % 3] == piece.a ? sides.left : sides.right;
         if (planar.triangles[t].region == unknown) stack.push_back(t);
-        planar.triangles[t].region = label == void_label ? none : label;
+        planar.triangles[t].region = label == void_label ? std::uint32_t{none} : label;
       }
     while (!stack.empty()) {
-      const std::uint32_t t = stack.back();
+      const TriangleIndex t = stack.back();
       stack.pop_back();
       for (int k = 0; k < 3; ++k) {
-        const std::uint32_t other = planar.triangles[t].nb[k];
+        const TriangleIndex other = planar.triangles[t].nb[k];
         if (other == none || planar.triangles[other].region != unknown ||
             border(planar.triangles[t], k) != of_edge_.end())
           continue;
@@ -192,22 +197,21 @@ class Conformer {
   const Borders& given_;
   Fineness fineness_;
   const Progress& progress_;
-  std::vector<Point2> points_;
+  Table<SlicePoint, Point2> points_;
   std::vector<Piece> pieces_;
-  std::vector<bool> sharp_;
+  Table<SlicePoint, bool> sharp_;
   Cdt cdt_;
-  std::vector<Vertex> vertices_;
-  std::vector<std::uint32_t> order_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> of_edge_;
+  Table<SlicePoint, Vertex> vertices_;
+  std::vector<SlicePoint> order_;
+  std::map<std::pair<SlicePoint, SlicePoint>, std::uint32_t> of_edge_;
 };
 
 void set_edge_kinds(PartitionSlice& slice) {
   Planar& planar = slice.planar;
-  for (std::uint32_t v = 0; v < planar.points.size(); ++v) {
-    const std::uint32_t first = planar.first_spoke[v], end = planar.first_spoke[v + 1];
-    for (std::uint32_t s = first; s < end; ++s) {
+  for (const SlicePoint v : planar.points.indices()) {
+    for (const SpokeIndex s : planar.spokes_of(v)) {
       const Label left = slice.label(planar.spokes[s].triangle);
-      const Label right = slice.label(planar.spokes[s == first ? end - 1 : s - 1].triangle);
+      const Label right = slice.label(planar.right_of(v, s));
       planar.spokes[s].kind = left != right        ? EdgeKind::contour
                               : left == void_label ? EdgeKind::external
                                                    : EdgeKind::internal;
@@ -218,9 +222,9 @@ void set_edge_kinds(PartitionSlice& slice) {
 /// Each label at most once around each point.
 void refuse_checkerboards(const PartitionSlice& slice) {
   const Planar& planar = slice.planar;
-  for (std::uint32_t v = 0; v < planar.points.size(); ++v) {
+  for (const SlicePoint v : planar.points.indices()) {
     std::vector<Label> runs;
-    for (std::uint32_t s = planar.first_spoke[v]; s < planar.first_spoke[v + 1]; ++s)
+    for (const SpokeIndex s : planar.spokes_of(v))
       if (planar.spokes[s].kind == EdgeKind::contour) runs.push_back(slice.label(planar.spokes[s].triangle));
     std::sort(runs.begin(), runs.end());
     if (std::adjacent_find(runs.begin(), runs.end()) == runs.end()) continue;

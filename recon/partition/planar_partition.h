@@ -25,7 +25,7 @@ struct PartitionSlice {
   std::size_t steiner_points = 0;
   bool conforming = true;  // false: some border is no Delaunay edge; no slab beside it can be triangulated
 
-  Label label(std::uint32_t triangle) const {
+  Label label(delaunay::TriangleIndex triangle) const {
     if (triangle == delaunay::none || planar.triangles[triangle].region == delaunay::none) return void_label;
     return static_cast<Label>(planar.triangles[triangle].region);
   }

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "recon/delaunay/predicates.h"
 #include "recon/partition/limits.h"
 
 namespace odontoscope::partition {
 
+using delaunay::SlabTetrahedra;
 using delaunay::SlabTetrahedron;
+using delaunay::SlicePoint;
+using delaunay::Thickened;
 
 namespace {
 
@@ -28,13 +32,12 @@ double six_volumes(const std::array<Point3, 4>& p) {
 
 }  // namespace
 
-SlabComplex::SlabComplex(const PartitionSlice& lower, const PartitionSlice& upper,
-                         std::vector<SlabTetrahedron> tetrahedra)
+SlabComplex::SlabComplex(const PartitionSlice& lower, const PartitionSlice& upper, SlabTetrahedra tetrahedra)
     : lower_(lower),
       upper_(upper),
       tets_(std::move(tetrahedra)),
-      offset_(static_cast<std::uint32_t>(lower.planar.points.size())),
-      on_slices_(offset_ + static_cast<std::uint32_t>(upper.planar.points.size())),
+      numbers_(lower.planar),
+      on_slices_(static_cast<std::uint32_t>(lower.planar.points.size() + upper.planar.points.size())),
       raised_lower_(lower.z + raise_step(lower.z, upper.z)),
       raised_upper_(upper.z - raise_step(lower.z, upper.z)),
       labels_(tets_.size(), void_label),
@@ -44,32 +47,31 @@ SlabComplex::SlabComplex(const PartitionSlice& lower, const PartitionSlice& uppe
       changed_(2 * std::size_t{on_slices_}, true) {
   first_at_.assign(on_slices_ + 1, 0);
   for (const SlabTetrahedron& tet : tets_)
-    for (const std::uint32_t v : tet.v) ++first_at_[v + 1];
-  for (std::uint32_t p = 0; p < on_slices_; ++p) first_at_[p + 1] += first_at_[p];
-  at_.resize(first_at_[on_slices_]);
-  std::vector<std::uint32_t> fill(first_at_.begin(), first_at_.end() - 1);
-  for (std::uint32_t t = 0; t < tets_.size(); ++t)
-    for (const std::uint32_t v : tets_[t].v) at_[fill[v]++] = t;
+    for (const SlabPoint v : tet.v) ++first_at_[SlabPoint(v + 1)];
+  std::partial_sum(first_at_.begin(), first_at_.end(), first_at_.begin());
+  at_.resize(first_at_.back());
+  Table<SlabPoint, std::uint32_t> fill(first_at_.begin(), first_at_.end() - 1);
+  for (const TetIndex t : tets_.indices())
+    for (const SlabPoint v : tets_[t].v) at_[fill[v]++] = t;
 }
 
-Point3 SlabComplex::place(std::uint32_t v) const {
-  const bool is_raised = v >= on_slices_;
-  const std::uint32_t p = is_raised ? v - on_slices_ : v;
-  const Point2 at = slice_of(p).planar.points[own(p)];
-  if (is_raised) return {at.x, at.y, height(p)};
-  return {at.x, at.y, is_lower(p) ? lower_.z : upper_.z};
+Point3 SlabComplex::place(SlabPoint v) const {
+  const SlabPoint p = is_copy(v) ? original_of(v) : v;
+  const PartitionSlice& slice = slice_of(p);
+  const Point2 at = slice.planar.points[numbers_.own(p)];
+  return {at.x, at.y, is_copy(v) ? height(p) : slice.z};
 }
 
 /// Of its raised copy.
-double SlabComplex::height(std::uint32_t p) const {
+double SlabComplex::height(SlabPoint p) const {
   const double rise = shares_[p] * (upper_.z - lower_.z);
-  return is_lower(p) ? std::max(raised_lower_, lower_.z + rise) : std::min(raised_upper_, upper_.z - rise);
+  return numbers_.is_lower(p) ? std::max(raised_lower_, lower_.z + rise) : std::min(raised_upper_, upper_.z - rise);
 }
 
-void SlabComplex::set_share(std::uint32_t p, double share) { shares_[p] = share; }
+void SlabComplex::set_share(SlabPoint p, double share) { shares_[p] = share; }
 
 /// To a share that it has not yet; too often, as far as usual.
-void SlabComplex::lower_to(std::uint32_t p, double share) {
+void SlabComplex::lower_to(SlabPoint p, double share) {
   shares_[p] = share <= limits::raise_share || ++times_lowered_[p] > limits::ramp_times_lowered ? 0 : share;
   fresh_.push_back(p);
 }
@@ -81,9 +83,9 @@ void SlabComplex::lower_corners(const SlabTetrahedron& tet) {
     return six_volumes({place(top(tet.v[0])), place(top(tet.v[1])), place(top(tet.v[2])), place(top(tet.v[3]))});
   };
   const double now = volume();
-  std::uint32_t best = delaunay::none;
+  SlabPoint best;
   double best_share = 0, least = std::numeric_limits<double>::infinity();
-  for (const std::uint32_t v : tet.v) {
+  for (const SlabPoint v : tet.v) {
     const double share = shares_[v];
     if (!rises_far(v)) continue;
     shares_[v] = 0;
@@ -97,45 +99,43 @@ void SlabComplex::lower_corners(const SlabTetrahedron& tet) {
     best_share = share - drop;
   }
   if (best != delaunay::none) return lower_to(best, best_share);
-  for (const std::uint32_t v : tet.v)
+  for (const SlabPoint v : tet.v)
     if (rises_far(v)) lower_to(v, limits::ramp_lowered * shares_[v]);
 }
 
-void SlabComplex::mark_around(std::uint32_t t) {
-  for (const std::uint32_t v : tets_[t].v) changed_[v] = changed_[v + on_slices_] = true;
+void SlabComplex::mark_around(TetIndex t) {
+  for (const SlabPoint v : tets_[t].v) changed_[v] = changed_[copy_of(v)] = true;
 }
 
-bool SlabComplex::raise(std::uint32_t p) {
+bool SlabComplex::raise(SlabPoint p) {
   if (raised_[p]) return false;
   raised_[p] = any_raised_ = stale_ = true;
   fresh_.push_back(p);
-  changed_[p] = changed_[p + on_slices_] = true;
-  const auto [begin, end] = tetrahedra_at(p);
-  for (auto t = begin; t != end; ++t) mark_around(*t);
+  changed_[p] = changed_[copy_of(p)] = true;
+  for (const TetIndex t : tetrahedra_at(p)) mark_around(t);
   return true;
 }
 
-bool SlabComplex::relabel(std::uint32_t t, Label label) {
+bool SlabComplex::relabel(TetIndex t, Label label) {
   if (labels_[t] == label) return false;
   labels_[t] = label;
   mark_around(t);
   return true;
 }
 
-std::vector<std::uint32_t> SlabComplex::keep_positive() {
-  std::vector<std::uint32_t> around;
+std::vector<TetIndex> SlabComplex::keep_positive() {
+  std::vector<TetIndex> around;
   for (std::size_t i = 0; i < fresh_.size(); ++i) {  // it grows meanwhile
-    const auto [begin, end] = tetrahedra_at(fresh_[i]);
-    for (auto t = begin; t != end; ++t) {
-      around.push_back(*t);
-      const SlabTetrahedron& tet = tets_[*t];
+    for (const TetIndex t : tetrahedra_at(fresh_[i])) {
+      around.push_back(t);
+      const SlabTetrahedron& tet = tets_[t];
       const auto mixed = [&](int from, int to) {
         const int count = static_cast<int>(
-            std::count_if(tet.v.begin() + from, tet.v.begin() + to, [&](std::uint32_t v) { return raised_[v]; }));
+            std::count_if(tet.v.begin() + from, tet.v.begin() + to, [&](SlabPoint v) { return raised_[v]; }));
         return count > 0 && count < to - from;
       };
       const bool low = mixed(0, tet.lower_count), high = mixed(tet.lower_count, 4),
-                 ramp = std::any_of(tet.v.begin(), tet.v.end(), [&](std::uint32_t v) { return rises_far(v); });
+                 ramp = std::any_of(tet.v.begin(), tet.v.end(), [&](SlabPoint v) { return rises_far(v); });
       if (!low && !high && !ramp) continue;
       if (delaunay::orientation(place(top(tet.v[0])), place(top(tet.v[1])), place(top(tet.v[2])),
                                 place(top(tet.v[3]))) > 0)
@@ -161,29 +161,33 @@ void SlabComplex::build() {
   for (const SlabTetrahedron& tet : tets_)
     cells_.push_back({top(tet.v[0]), top(tet.v[1]), top(tet.v[2]), top(tet.v[3])});
   if (any_raised_) {
-    thicken(lower_, 0, true);
-    thicken(upper_, offset_, false);
+    thicken(
+        lower_, [this](SlicePoint p) { return numbers_.of_lower(p); }, Thickened::upwards);
+    thicken(
+        upper_, [this](SlicePoint p) { return numbers_.of_upper(p); }, Thickened::downwards);
   }
   collect_stars();
 }
 
 /// As add_prism (recon/delaunay/prism.h) cuts it, without what has no height.
-void SlabComplex::thicken(const PartitionSlice& slice, std::uint32_t first, bool upwards) {
-  for (std::uint32_t t = 0; t < slice.planar.triangles.size(); ++t) {
-    const auto& given = slice.planar.triangles[t].v;
-    if (!raised_[given[0] + first] && !raised_[given[1] + first] && !raised_[given[2] + first]) continue;
-    std::array<std::uint32_t, 3> v = given;
+template <class Number>
+void SlabComplex::thicken(const PartitionSlice& slice, Number number, Thickened direction) {
+  for (const delaunay::TriangleIndex t : slice.planar.triangles.indices()) {
+    const auto& corners_in_slice = slice.planar.triangles[t].v;
+    const std::array<SlabPoint, 3> given{number(corners_in_slice[0]), number(corners_in_slice[1]),
+                                         number(corners_in_slice[2])};
+    if (!raised_[given[0]] && !raised_[given[1]] && !raised_[given[2]]) continue;
+    std::array<SlabPoint, 3> v = given;
     std::sort(v.begin(), v.end());
     const int fixed = (v[0] == given[0]) + (v[1] == given[1]) + (v[2] == given[2]);
     const bool even = fixed != 1;  // one corner in place: the other two were swapped
-    for (std::uint32_t& p : v) p += first;
-    const std::array<std::uint32_t, 3> to{top(v[0]), top(v[1]), top(v[2])};
+    const std::array<SlabPoint, 3> to{top(v[0]), top(v[1]), top(v[2])};
     const std::array<std::pair<Corners, bool>, 3> parts{{{{v[0], v[1], v[2], to[2]}, to[2] != v[2]},
                                                          {{v[0], v[1], to[2], to[1]}, to[1] != v[1]},
                                                          {{v[0], to[1], to[2], to[0]}, to[0] != v[0]}}};
     for (auto [corners, there] : parts) {
       if (!there) continue;
-      if (even != upwards) std::swap(corners[0], corners[1]);
+      if (even != (direction == Thickened::upwards)) std::swap(corners[0], corners[1]);
       cells_.push_back(corners);
       thick_labels_.push_back(slice.label(t));
     }
@@ -194,31 +198,30 @@ void SlabComplex::collect_stars() {
   const std::size_t points = 2 * std::size_t{on_slices_};
   first_.assign(points + 1, 0);
   for (const Corners& cell : cells_)
-    for (const std::uint32_t v : cell) ++first_[v + 1];
-  for (std::size_t p = 0; p < points; ++p) first_[p + 1] += first_[p];
-  star_.resize(first_[points]);
-  std::vector<std::uint32_t> fill(first_.begin(), first_.end() - 1);
-  for (std::uint32_t c = 0; c < cells_.size(); ++c)
-    for (const std::uint32_t v : cells_[c]) star_[fill[v]++] = c;
+    for (const SlabPoint v : cell) ++first_[SlabPoint(v + 1)];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  star_.resize(first_.back());
+  Table<SlabPoint, std::uint32_t> fill(first_.begin(), first_.end() - 1);
+  for (const CellIndex c : cells_.indices())
+    for (const SlabPoint v : cells_[c]) star_[fill[v]++] = c;
 }
 
-std::vector<LinkTriangle> SlabComplex::link(std::uint32_t v) const {
+std::vector<LinkTriangle> SlabComplex::link(SlabPoint v) const {
   std::vector<LinkTriangle> triangles;
-  const auto [begin, end] = star(v);
-  triangles.reserve(static_cast<std::size_t>(end - begin));
-  for (auto cell = begin; cell != end; ++cell) {
-    LinkTriangle triangle{{}, cell_label(*cell), *cell};
+  triangles.reserve(star(v).size());
+  for (const CellIndex cell : star(v)) {
+    LinkTriangle triangle{{}, cell_label(cell), cell};
     int k = 0;
-    for (const std::uint32_t w : cells_[*cell])
+    for (const SlabPoint w : cells_[cell])
       if (w != v) triangle.v[k++] = w;
     triangles.push_back(triangle);
   }
   return triangles;
 }
 
-std::vector<std::uint32_t> SlabComplex::take_changed() {
-  std::vector<std::uint32_t> list;
-  for (std::uint32_t v = 0; v < changed_.size(); ++v) {
+std::vector<SlabPoint> SlabComplex::take_changed() {
+  std::vector<SlabPoint> list;
+  for (const SlabPoint v : changed_.indices()) {
     if (!changed_[v]) continue;
     changed_[v] = false;
     list.push_back(v);

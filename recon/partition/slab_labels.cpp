@@ -6,19 +6,25 @@ namespace odontoscope::partition {
 namespace {
 
 using delaunay::none;
+using delaunay::Side;
+using delaunay::SlabPoint;
+using delaunay::SlabTetrahedra;
 using delaunay::SlabTetrahedron;
+using delaunay::SlicePoint;
+using delaunay::TetIndex;
+using delaunay::TriangleIndex;
 
 /// Numbers of the faces that the triangles make up; void that reaches the hull is face 0, with what lies beyond.
-std::vector<std::uint32_t> faces_of(const PartitionSlice& slice) {
+Table<TriangleIndex, std::uint32_t> faces_of(const PartitionSlice& slice) {
   const auto& triangles = slice.planar.triangles;
-  std::vector<std::uint32_t> face(triangles.size(), none);
-  std::vector<std::uint32_t> stack;
+  Table<TriangleIndex, std::uint32_t> face(triangles.size(), none);
+  std::vector<TriangleIndex> stack;
   std::uint32_t count = 0;
   const auto spread = [&] {
     while (!stack.empty()) {
-      const std::uint32_t t = stack.back();
+      const TriangleIndex t = stack.back();
       stack.pop_back();
-      for (const std::uint32_t other : triangles[t].nb) {
+      for (const TriangleIndex other : triangles[t].nb) {
         if (other == none || face[other] != none || slice.label(other) != slice.label(t)) continue;
         face[other] = count;
         stack.push_back(other);
@@ -26,14 +32,14 @@ std::vector<std::uint32_t> faces_of(const PartitionSlice& slice) {
     }
     ++count;
   };
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+  for (const TriangleIndex t : triangles.indices()) {
     if (slice.label(t) != void_label || face[t] != none) continue;
     if (std::find(triangles[t].nb.begin(), triangles[t].nb.end(), none) == triangles[t].nb.end()) continue;
     face[t] = 0;
     stack.push_back(t);
   }
   spread();
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+  for (const TriangleIndex t : triangles.indices()) {
     if (face[t] != none) continue;
     face[t] = count;
     stack.push_back(t);
@@ -42,19 +48,27 @@ std::vector<std::uint32_t> faces_of(const PartitionSlice& slice) {
   return face;
 }
 
+/// Is there such a triangle (none: beyond the hull) among those at the point?
+template <class Condition>
+bool any_beside(const PartitionSlice& slice, SlicePoint p, Condition condition) {
+  for (const delaunay::SpokeIndex s : slice.planar.spokes_of(p))
+    if (condition(slice.planar.spokes[s].triangle)) return true;
+  return false;
+}
+
 }  // namespace
 
-SlabLabels::SlabLabels(const std::vector<SlabTetrahedron>& tetrahedra, const PartitionSlice& lower,
-                       const PartitionSlice& upper, const Materials& materials)
+SlabLabels::SlabLabels(const SlabTetrahedra& tetrahedra, const PartitionSlice& lower, const PartitionSlice& upper,
+                       const Materials& materials)
     : tets_(tetrahedra),
       lower_(lower),
       upper_(upper),
       materials_(materials),
-      offset_(static_cast<std::uint32_t>(lower.planar.points.size())),
+      numbers_(lower.planar),
       duals_(dual_triangles(tetrahedra, lower, upper)),
       lower_faces_(faces_of(lower)),
       upper_faces_(faces_of(upper)) {
-  for (std::uint32_t t = 0; t < tets_.size(); ++t) {
+  for (const TetIndex t : tets_.indices()) {
     if (tets_[t].lower_count == 2) continue;
     const auto [low, high] = duals_[t];
     if (lower_.label(low) == upper_.label(high))
@@ -70,7 +84,7 @@ SlabLabels::SlabLabels(const std::vector<SlabTetrahedron>& tetrahedra, const Par
   ending_ = ending_triangles();
 }
 
-bool SlabLabels::linked(std::uint32_t lower_triangle, std::uint32_t upper_triangle) const {
+bool SlabLabels::linked(TriangleIndex lower_triangle, TriangleIndex upper_triangle) const {
   const std::pair faces{lower_triangle == none ? 0 : lower_faces_[lower_triangle],
                         upper_triangle == none ? 0 : upper_faces_[upper_triangle]};
   return faces == std::pair<std::uint32_t, std::uint32_t>{0, 0} ||
@@ -78,26 +92,20 @@ bool SlabLabels::linked(std::uint32_t lower_triangle, std::uint32_t upper_triang
 }
 
 /// Does a face at the point continue that of the triangle?
-bool SlabLabels::knows_above(std::uint32_t point, std::uint32_t lower_triangle) const {
-  const auto& planar = upper_.planar;
-  for (std::uint32_t s = planar.first_spoke[point]; s < planar.first_spoke[point + 1]; ++s)
-    if (upper_.label(planar.spokes[s].triangle) == lower_.label(lower_triangle) &&
-        linked(lower_triangle, planar.spokes[s].triangle))
-      return true;
-  return false;
+bool SlabLabels::knows_above(SlabPoint v, TriangleIndex lower_triangle) const {
+  return any_beside(upper_, numbers_.own(v), [&](TriangleIndex t) {
+    return upper_.label(t) == lower_.label(lower_triangle) && linked(lower_triangle, t);
+  });
 }
 
-bool SlabLabels::knows_below(std::uint32_t point, std::uint32_t upper_triangle) const {
-  const auto& planar = lower_.planar;
-  for (std::uint32_t s = planar.first_spoke[point]; s < planar.first_spoke[point + 1]; ++s)
-    if (lower_.label(planar.spokes[s].triangle) == upper_.label(upper_triangle) &&
-        linked(planar.spokes[s].triangle, upper_triangle))
-      return true;
-  return false;
+bool SlabLabels::knows_below(SlabPoint v, TriangleIndex upper_triangle) const {
+  return any_beside(lower_, numbers_.own(v), [&](TriangleIndex t) {
+    return lower_.label(t) == upper_.label(upper_triangle) && linked(t, upper_triangle);
+  });
 }
 
 /// A face need not end at a point of a margin that runs out beside it: that rises away from its slice.
-bool SlabLabels::gives_way(std::uint32_t margin, Label label) const {
+bool SlabLabels::gives_way(SlabPoint margin, Label label) const {
   return label != void_label && beside_[margin] == label;
 }
 
@@ -105,26 +113,22 @@ std::vector<EndingTriangle> SlabLabels::ending_triangles() const {
   std::vector<EndingTriangle> triangles;
   for (const SlabTetrahedron& tet : tets_) {
     if (tet.lower_count == 3 && !gives_way(tet.v[3], lower_.label(tet.triangle)) &&
-        !knows_above(tet.v[3] - offset_, tet.triangle))
-      triangles.push_back({true, tet.triangle});
+        !knows_above(tet.v[3], tet.triangle))
+      triangles.push_back({Side::lower, tet.triangle});
     else if (tet.lower_count == 1 && !gives_way(tet.v[0], upper_.label(tet.triangle)) &&
              !knows_below(tet.v[0], tet.triangle))
-      triangles.push_back({false, tet.triangle});
+      triangles.push_back({Side::upper, tet.triangle});
   }
   return triangles;
 }
 
-bool SlabLabels::knows(std::uint32_t v, Label label) const {
-  const PartitionSlice& slice = v < offset_ ? lower_ : upper_;
-  const std::uint32_t own = v < offset_ ? v : v - offset_;
-  const auto& planar = slice.planar;
-  for (std::uint32_t s = planar.first_spoke[own]; s < planar.first_spoke[own + 1]; ++s)
-    if (slice.label(planar.spokes[s].triangle) == label) return true;
-  return false;
+bool SlabLabels::knows(SlabPoint v, Label label) const {
+  const PartitionSlice& slice = numbers_.is_lower(v) ? lower_ : upper_;
+  return any_beside(slice, numbers_.own(v), [&](TriangleIndex t) { return slice.label(t) == label; });
 }
 
 /// Where all corners in one slice are of a margin, what lies beside it if all in the other slice know that; else void.
-Label SlabLabels::beside_margin(std::uint32_t t) const {
+Label SlabLabels::beside_margin(TetIndex t) const {
   const SlabTetrahedron& tet = tets_[t];
   for (const bool lower : {true, false}) {
     const int first = lower ? 0 : tet.lower_count, end = lower ? tet.lower_count : 4;
@@ -140,17 +144,17 @@ Label SlabLabels::beside_margin(std::uint32_t t) const {
 
 /// Beside a margin lies what the margin runs out beside, and no void between the two: its triangles are so narrow that
 /// their dual points often lie beyond the border.
-Label SlabLabels::label(std::uint32_t t, const std::vector<bool>& raised, std::vector<std::uint32_t>& losers) const {
+Label SlabLabels::label(TetIndex t, const Raised& raised, std::vector<SlabPoint>& losers) const {
   const Label label = by_rule(t, raised, losers);
   return label == void_label && !ramp_.empty() ? beside_margin(t) : label;
 }
 
-Label SlabLabels::by_rule(std::uint32_t t, const std::vector<bool>& raised, std::vector<std::uint32_t>& losers) const {
+Label SlabLabels::by_rule(TetIndex t, const Raised& raised, std::vector<SlabPoint>& losers) const {
   return tets_[t].lower_count == 2 ? of_edges(t, raised, losers) : of_triangle(t, raised);
 }
 
 /// Its triangle's, unless that is closed over.
-Label SlabLabels::of_triangle(std::uint32_t t, const std::vector<bool>& raised) const {
+Label SlabLabels::of_triangle(TetIndex t, const Raised& raised) const {
   const SlabTetrahedron& tet = tets_[t];
   const bool below = tet.lower_count == 3;
   const int first = below ? 0 : 1;
@@ -159,12 +163,12 @@ Label SlabLabels::of_triangle(std::uint32_t t, const std::vector<bool>& raised) 
 }
 
 /// What both edges admit; of two such labels the winner, unless that would join faces that do not continue each other.
-Label SlabLabels::of_edges(std::uint32_t t, const std::vector<bool>& raised, std::vector<std::uint32_t>& losers) const {
+Label SlabLabels::of_edges(TetIndex t, const Raised& raised, std::vector<SlabPoint>& losers) const {
   const SlabTetrahedron& tet = tets_[t];
   const Label low = lower_.label(duals_[t].lower), high = upper_.label(duals_[t].upper);
   if (low == high) return low;
-  const EdgeSides lower = sides_of(lower_, tet.v[0], tet.v[1]);
-  const EdgeSides upper = sides_of(upper_, tet.v[2] - offset_, tet.v[3] - offset_);
+  const EdgeSides lower = sides_of(lower_, numbers_.own(tet.v[0]), numbers_.own(tet.v[1]));
+  const EdgeSides upper = sides_of(upper_, numbers_.own(tet.v[2]), numbers_.own(tet.v[3]));
   const bool lower_claims = !(raised[tet.v[0]] && raised[tet.v[1]]),
              upper_claims = !(raised[tet.v[2]] && raised[tet.v[3]]);
   const bool low_admitted = !upper_claims || upper.has(low), high_admitted = !lower_claims || lower.has(high);

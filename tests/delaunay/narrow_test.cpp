@@ -119,13 +119,15 @@ TEST(Narrow, TheNearerPointIsTheSameFromBothSides) {
     const auto beside = [&](double share, double side) {
       return Point2{a.x + share * x - side * height * y, a.y + share * y + side * height * x};
     };
-    const std::vector<Point2> points{a, b, beside(random.between(0.4, 0.6), 1), beside(random.between(0.4, 0.6), -1)};
+    const Table<delaunay::SlicePoint, Point2> points{a, b, beside(random.between(0.4, 0.6), 1),
+                                                     beside(random.between(0.4, 0.6), -1)};
     delaunay::Cdt cdt;
-    const std::vector<delaunay::Vertex> vertices = delaunay::insert_points(cdt, points, {0, 1, 2, 3});
-    cdt.insert_constraint(vertices[0], vertices[1]);
+    const auto vertices = delaunay::insert_points(cdt, points, delaunay::order_of(points));
+    const delaunay::Vertex start = vertices.front(), end = *(vertices.begin() + 1);
+    cdt.insert_constraint(start, end);
     delaunay::Face face;
     int k = 0;
-    if (!cdt.is_edge(vertices[0], vertices[1], face, k)) continue;
+    if (!cdt.is_edge(start, end, face, k)) continue;
     ++asked;
     EXPECT_EQ(delaunay::encroacher(cdt, face, k),
               delaunay::encroacher(cdt, face->neighbor(k), cdt.mirror_index(face, k)))

@@ -21,7 +21,7 @@ std::vector<RegionLink> region_witnesses(const ConformedSlice& lower, const Conf
 }
 
 std::vector<RegionLink> void_witnesses(const ConformedSlice& lower, const ConformedSlice& upper) {
-  std::vector<SlabTetrahedron> tetrahedra;
+  SlabTetrahedra tetrahedra;
   if (lower.regions() > 0 && upper.regions() > 0) tetrahedra = triangulate_slab(lower.planar, upper.planar);
   return witnessed_void_links(tetrahedra, lower.planar, upper.planar, voids_in(lower.planar, lower, voids_of(lower)),
                               voids_in(upper.planar, upper, voids_of(upper)), Correspondence::overlap);

@@ -88,7 +88,7 @@ void expect_true_voids(const ConformedSlice& slice, const Planar& planar, const 
   const PlanarVoids found = voids_in(planar, slice, voids);
   ASSERT_EQ(found.of_triangle.size(), planar.triangles.size());
   ASSERT_EQ(found.beside_point.size(), planar.points.size());
-  for (std::size_t t = 0; t < planar.triangles.size(); ++t) {
+  for (const TriangleIndex t : planar.triangles.indices()) {
     const auto& v = planar.triangles[t].v;
     const Point2 a = planar.points[v[0]], b = planar.points[v[1]], c = planar.points[v[2]];
     const Point2 middle{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
@@ -96,7 +96,7 @@ void expect_true_voids(const ConformedSlice& slice, const Planar& planar, const 
     if (!truth) continue;
     EXPECT_EQ(found.of_triangle[t], *truth);
     if (*truth == none) continue;
-    for (const std::uint32_t p : v) EXPECT_EQ(found.beside_point[p], *truth);
+    for (const SlicePoint p : v) EXPECT_EQ(found.beside_point[p], *truth);
   }
 }
 
@@ -115,7 +115,7 @@ void expect_true_voids(const ContourStack& stack) {
 struct VoidSlab {
   ConformedSlice lower, upper;
   SliceVoids below, above;
-  std::vector<SlabTetrahedron> tetrahedra;
+  SlabTetrahedra tetrahedra;
 
   VoidSlab(ConformedSlice first, ConformedSlice second)
       : lower(std::move(first)), upper(std::move(second)), below(voids_of(lower)), above(voids_of(upper)) {
@@ -149,8 +149,8 @@ Point2 bisectors_cross(Point2 a, Point2 b, Point2 c, Point2 d) {
 
 Point2 dual_point(const SlabTetrahedron& tet, const Planar& lower, const Planar& upper) {
   const auto at = [&](int i) {
-    const std::uint32_t v = tet.v[i];
-    return v < lower.points.size() ? lower.points[v] : upper.points[v - lower.points.size()];
+    const SlabNumbers numbers(lower);
+    return (numbers.is_lower(tet.v[i]) ? lower : upper).points[numbers.own(tet.v[i])];
   };
   if (tet.lower_count == 2) return bisectors_cross(at(0), at(1), at(2), at(3));
   const int first = tet.lower_count == 3 ? 0 : 1;
