@@ -100,12 +100,12 @@ std::string image_verdict_text(const std::string& expected, const std::string& a
   return json.dump(2, ' ', false, VerdictJson::error_handler_t::replace) + "\n";
 }
 
-std::string FailuresPage::figure(const Image& image, const std::string& caption, bool near_to) {
+std::string FailuresPage::figure(const Image& image, const std::string& caption, Shown shown) {
   if (image.rgba.empty()) return {};
   const std::string data = picture_data(image);
   bytes_ += data.size();
   return fmt::format("<figure{}><img src=\"{}\" alt=\"{}\"><figcaption>{}</figcaption></figure>\n",
-                     near_to ? " class=\"near\"" : "", data, caption, caption);
+                     shown == Shown::near_to ? " class=\"near\"" : "", data, caption, caption);
 }
 
 void FailuresPage::add(const ComparedPicture& picture, const PicturesCompared& both) {
@@ -125,8 +125,10 @@ void FailuresPage::add(const ComparedPicture& picture, const PicturesCompared& b
         sections_ +=
             "</div><div class=\"row\">\n" +
             figure(cropped(both.expected, box),
-                   fmt::format("expected, from ({}, {}) to ({}, {})", box.left, box.top, box.right, box.bottom), true) +
-            figure(cropped(both.actual, box), "actual", true) + figure(cropped(difference, box), "difference", true);
+                   fmt::format("expected, from ({}, {}) to ({}, {})", box.left, box.top, box.right, box.bottom),
+                   Shown::near_to) +
+            figure(cropped(both.actual, box), "actual", Shown::near_to) +
+            figure(cropped(difference, box), "difference", Shown::near_to);
       }
       const std::string one = picture_data(both.expected), other = picture_data(both.actual);
       bytes_ += one.size() + other.size();

@@ -29,7 +29,8 @@ class FailuresPage {
   static constexpr std::size_t most_bytes = 200u << 20;
 
  private:
-  std::string figure(const Image& image, const std::string& caption, bool near_to = false);
+  enum class Shown { whole, near_to };
+  std::string figure(const Image& image, const std::string& caption, Shown shown = Shown::whole);
 
   ImageTolerance tolerance_;
   std::string sections_;

@@ -31,7 +31,8 @@ std::optional<Link> understood_link(std::string_view word) {
 
 }  // namespace
 
-Link link_from(const std::string& word, bool connect) {
+Link link_from(const std::string& word, LinkOption option) {
+  const bool connect = option == LinkOption::link;
   std::optional<Link> link = understood_link(word);
   if (!link)
     throw UsageError(fmt::format("--{} {}: that is no structure, lower slice, and contour below and above",
@@ -43,8 +44,8 @@ Link link_from(const std::string& word, bool connect) {
 
 std::vector<Link> links_from(const LinkWords& words) {
   std::vector<Link> links;
-  for (const std::string& word : words.connect) links.push_back(link_from(word, true));
-  for (const std::string& word : words.apart) links.push_back(link_from(word, false));
+  for (const std::string& word : words.connect) links.push_back(link_from(word, LinkOption::link));
+  for (const std::string& word : words.apart) links.push_back(link_from(word, LinkOption::unlink));
   return links;
 }
 

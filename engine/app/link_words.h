@@ -8,9 +8,12 @@
 
 namespace odontoscope::app {
 
-/// Of --link (connect) or --unlink: "STRUCTURE:SLICE:LOWER-UPPER"; a structure's name may hold colons. UsageError if it
+/// As which option it was given.
+enum class LinkOption { link, unlink };
+
+/// "STRUCTURE:SLICE:LOWER-UPPER"; a structure's name may hold colons. UsageError if it
 /// is not that.
-Link link_from(const std::string& word, bool connect);
+Link link_from(const std::string& word, LinkOption option);
 
 struct LinkWords {
   std::vector<std::string> connect, apart;

@@ -247,7 +247,7 @@ ExitCode show_window(const ViewArguments& options, const ReadSettings& read, con
   viewer_settings.clipboard = {[&window] { return window.clipboard(); },
                                [&window](const std::string& text) { window.set_clipboard(text); }};
   Viewer viewer(window.context().gl(), shaders_from_environment(), std::move(viewer_settings));
-  if (!read.complaint.empty()) viewer.state().notices.push_back({read.complaint, true, 12});
+  if (!read.complaint.empty()) viewer.state().notices.push_back({read.complaint, NoticeKind::bad, 12});
   session.console.say(fmt::format("Drawn with {}.", window.context().in_words()));
   viewer.open(first_request(options));
   viewer.state().headset_possible = headsets_built_in();

@@ -46,12 +46,13 @@ ToothModels::ToothModels(ToothOptions options, Progress progress)
       inner_(options_.contours ? *options_.contours : sample_tooth(ToothKind::molar, {.walls = SampleWalls::apart})),
       outer_(options_.contours ? inner_ : outside_of_sample()) {}
 
-ToothModel ToothModels::by_distance(const ContourStack& stack, CaseTable cases, bool decimate) const {
+ToothModel ToothModels::by_distance(const ContourStack& stack, CaseTable cases,
+                                    const std::optional<DecimateOptions>& decimation) const {
   DbOptions db;
   db.grid.columns = db.grid.rows = options_.grid;
   db.cases = cases;
   db.threads = options_.threads;
-  if (decimate) db.decimation = DecimateOptions{};
+  db.decimation = decimation;
   std::vector<NamedSurface> surfaces;
   for (DbSurface& one : reconstruct_by_distance(stack, db, progress_).surfaces)
     surfaces.push_back({one.structure, std::move(one.surface), one.structure});
@@ -62,16 +63,16 @@ const ToothModel& ToothModels::dt() {
   return made(dt_, [this] { return by_delaunay(outer_, options_.threads, progress_); });
 }
 const ToothModel& ToothModels::db() {
-  return made(db_, [this] { return by_distance(outer_, CaseTable::classic, false); });
+  return made(db_, [this] { return by_distance(outer_, CaseTable::classic); });
 }
 const ToothModel& ToothModels::decimated() {
-  return made(decimated_, [this] { return by_distance(outer_, CaseTable::classic, true); });
+  return made(decimated_, [this] { return by_distance(outer_, CaseTable::classic, DecimateOptions{}); });
 }
 const ToothModel& ToothModels::whole_dt() {
   return made(whole_dt_, [this] { return by_delaunay(inner_, options_.threads, progress_); });
 }
 const ToothModel& ToothModels::whole_unoriented() {
-  return made(whole_unoriented_, [this] { return by_distance(inner_, CaseTable::classic_unoriented, false); });
+  return made(whole_unoriented_, [this] { return by_distance(inner_, CaseTable::classic_unoriented); });
 }
 
 }  // namespace odontoscope::figures

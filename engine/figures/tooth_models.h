@@ -48,7 +48,8 @@ class ToothModels {
   const ToothModel& whole_unoriented();  // classic-unoriented
 
  private:
-  ToothModel by_distance(const ContourStack& stack, CaseTable cases, bool decimate) const;
+  ToothModel by_distance(const ContourStack& stack, CaseTable cases,
+                         const std::optional<DecimateOptions>& decimation = {}) const;
 
   ToothOptions options_;
   Progress progress_;

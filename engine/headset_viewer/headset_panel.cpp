@@ -21,8 +21,8 @@ using widgets::scaled;
 
 void ask(Visit& visit, VisitAction action) { visit.pending_actions.push_back(action); }
 
-void button(Visit& visit, const char* words, VisitAction action, bool strong = false) {
-  if (widgets::wide_button(words, strong)) ask(visit, action);
+void button(Visit& visit, const char* words, VisitAction action, widgets::Emphasis emphasis = widgets::Emphasis::none) {
+  if (widgets::wide_button(words, emphasis)) ask(visit, action);
 }
 
 void two_buttons(Visit& visit, const char* left, VisitAction on_left, const char* right, VisitAction on_right) {
@@ -82,7 +82,7 @@ void outside(Visit& visit, const VisitWorld& world, const HeadsetPanelWords& wor
   if (tells_thickness(world.model)) widgets::toggle("Thickness of the wall", visit.scene.wall_thickness);
   if (visit.scene.wall_thickness) say(thickness_in_words(world.model));
   button(visit, visit.stage.magnification == 1 ? "Enlarge it" : "True size", VisitAction::change_size);
-  if (!world.cavities.empty()) button(visit, "Go inside", VisitAction::enter, true);
+  if (!world.cavities.empty()) button(visit, "Go inside", VisitAction::enter, widgets::Emphasis::strong);
 }
 
 /// What walls tell, and what colours of thickness mean.
@@ -128,7 +128,7 @@ void canals(Visit& visit, const VisitWorld& world) {
     ImGui::ProgressBar(static_cast<float>((tour.along - tour.track.points.front().along) /
                                           (tour.track.points.back().along - tour.track.points.front().along)),
                        {-1, scaled(12)}, "");
-    button(visit, tour.playing ? "Stop here" : "Go on", VisitAction::tour_play, true);
+    button(visit, tour.playing ? "Stop here" : "Go on", VisitAction::tour_play, widgets::Emphasis::strong);
     two_buttons(visit, tour.back ? "Forwards" : "Backwards", VisitAction::tour_back, "Leave it here",
                 VisitAction::end_tour);
     widgets::slider("Pace", visit.tour.speed_factor, 0.1, 1, "%.1f");
@@ -139,7 +139,7 @@ void canals(Visit& visit, const VisitWorld& world) {
     const CentreLine& line = *lines[i];
     const double length = line.length_to_wall();
     if (widgets::wide_button(fmt::format("{}   {:.1f} mm", line.name, length).c_str(),
-                             visit.tour.ride && visit.tour.ride->line == i))
+                             widgets::strong_if(visit.tour.ride && visit.tour.ride->line == i)))
       visit.tour.asked = i;
   }
 }

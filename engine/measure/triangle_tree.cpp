@@ -111,7 +111,7 @@ TriangleTree::TriangleTree(const Model& model, const Progress& progress) {
 }
 
 template <class Visit>
-void TriangleTree::walk(const TreeRay& ray, bool edges_count, Visit visit) const {
+void TriangleTree::walk(const TreeRay& ray, Edges edges, Visit visit) const {
   const Shear shear(ray);
   const glm::dvec3 inverse = 1.0 / ray.direction;
   double to = ray.to;
@@ -119,7 +119,7 @@ void TriangleTree::walk(const TreeRay& ray, bool edges_count, Visit visit) const
       ray.direction, [&](const glm::vec3& low, const glm::vec3& high) { return meets(low, high, ray, inverse, to); },
       [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t i = first; i < end; ++i) {
-          const auto passed = passage(shear, triangles_[i].at, edges_count);
+          const auto passed = passage(shear, triangles_[i].at, edges == Edges::count);
           if (passed && passed->distance >= ray.from && passed->distance <= to)
             to = visit(Crossing{triangles_[i].part, triangles_[i].triangle, passed->distance, passed->front}, to);
         }
@@ -130,7 +130,7 @@ void TriangleTree::walk(const TreeRay& ray, bool edges_count, Visit visit) const
 std::optional<Crossing> TriangleTree::nearest(const TreeRay& ray,
                                               const std::function<bool(const Crossing&)>& counts) const {
   std::optional<Crossing> found;
-  walk(ray, true, [&](const Crossing& crossing, double to) {
+  walk(ray, Edges::count, [&](const Crossing& crossing, double to) {
     const bool nearer = !found || crossing.distance < found->distance ||
                         (crossing.distance == found->distance &&
                          std::pair(crossing.part, crossing.triangle) < std::pair(found->part, found->triangle));
@@ -142,7 +142,7 @@ std::optional<Crossing> TriangleTree::nearest(const TreeRay& ray,
 }
 
 void TriangleTree::each(const TreeRay& ray, const std::function<void(const Crossing&)>& visit) const {
-  walk(ray, false, [&](const Crossing& crossing, double to) {
+  walk(ray, Edges::pass, [&](const Crossing& crossing, double to) {
     visit(crossing);
     return to;
   });

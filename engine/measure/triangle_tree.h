@@ -71,8 +71,10 @@ class TriangleTree {
     std::uint32_t part, triangle;
   };
   /// Visits crossings in the order of the tree; `visit` returns how far the search still goes.
+  /// Whether a ray that passes through an edge or a corner crosses the triangle.
+  enum class Edges { count, pass };
   template <class Visit>
-  void walk(const TreeRay& ray, bool edges_count, Visit visit) const;
+  void walk(const TreeRay& ray, Edges edges, Visit visit) const;
 
   BoxTree<glm::vec3> tree_;
   std::vector<Corners> triangles_;                    // leaf by leaf

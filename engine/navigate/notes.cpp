@@ -10,7 +10,8 @@
 
 namespace odontoscope {
 
-LessonNote note_of(const Scene& scene, bool inside) {
+LessonNote note_of(const Scene& scene, TakenFrom from) {
+  const bool inside = from == TakenFrom::inside;
   LessonNote note;
   note.camera = scene.camera;
   if (inside) note.camera.near_mm = 0;

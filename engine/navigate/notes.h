@@ -83,8 +83,10 @@ struct LessonNote {
   friend bool operator==(const LessonNote&, const LessonNote&) = default;
 };
 
+enum class TakenFrom { outside, inside };
+
 /// A note of all that `scene` is but its camera's near plane, which inside a cavity follows from the flight.
-LessonNote note_of(const Scene& scene, bool inside);
+LessonNote note_of(const Scene& scene, TakenFrom from);
 
 /// A lesson's words in another language, beside those that it has.
 struct LessonTranslation {

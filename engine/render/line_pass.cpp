@@ -44,7 +44,8 @@ LinePass::LinePass(const Gl& gl, const ShaderLibrary& shaders)
       visible_(gl, shaders, {"line.vert", "line.frag"}),
       hidden_(gl, shaders, {"line.vert", "line.frag", {}, {"HIDDEN"}}) {}
 
-void LinePass::draw(const FramePlan& plan, const Program& program, bool hidden) const {
+void LinePass::draw(const FramePlan& plan, const Program& program, Lines lines) const {
+  const bool hidden = lines == Lines::hidden;
   gl_->Enable(GL_DEPTH_TEST);
   gl_->DepthFunc(GL_LESS);
   gl_->Disable(GL_BLEND);
@@ -70,7 +71,7 @@ void LinePass::draw(const FramePlan& plan, const Program& program, bool hidden) 
 void LinePass::draw(const FramePlan& plan) const {
   if (plan.lines.empty()) return;
   visible_.use();
-  draw(plan, visible_, false);
+  draw(plan, visible_, Lines::visible);
 }
 
 void LinePass::draw_hidden(const FramePlan& plan, const Layer& opaque, const Layer& layer) const {
@@ -78,7 +79,7 @@ void LinePass::draw_hidden(const FramePlan& plan, const Layer& opaque, const Lay
   hidden_.use();
   hidden_.set("opaque_depth", 0);
   opaque.bind_depth(0);
-  draw(plan, hidden_, true);
+  draw(plan, hidden_, Lines::hidden);
 }
 
 }  // namespace odontoscope

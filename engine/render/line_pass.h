@@ -23,7 +23,8 @@ class LinePass {
   void draw_hidden(const FramePlan& plan, const Layer& opaque, const Layer& layer) const;
 
  private:
-  void draw(const FramePlan& plan, const Program& program, bool hidden) const;
+  enum class Lines { visible, hidden };
+  void draw(const FramePlan& plan, const Program& program, Lines lines) const;
 
   const Gl* gl_;
   Program visible_, hidden_;

@@ -58,8 +58,8 @@ SurfacePass::SurfacePass(const Gl& gl, const ShaderLibrary& shaders)
       peel_wire_(gl, shaders, {"surface.vert", "surface.frag", "surface_wire.geom", {"PEEL", "WIRE"}}) {}
 
 void SurfacePass::draw(const FramePlan& plan, const std::vector<DrawnPart>& parts, const Program& program,
-                       bool wire) const {
-  const auto belongs = [&](const DrawnPart& part) { return (plan.wire || part.wire) == wire; };
+                       Edges edges) const {
+  const auto belongs = [&](const DrawnPart& part) { return (plan.wire || part.wire) == (edges == Edges::drawn); };
   if (std::none_of(parts.begin(), parts.end(), belongs)) return;
   gl_->Enable(GL_DEPTH_TEST);
   gl_->DepthFunc(GL_LESS);
@@ -90,14 +90,14 @@ void SurfacePass::draw(const FramePlan& plan, const std::vector<DrawnPart>& part
 
 void SurfacePass::draw_opaque(const FramePlan& plan) const {
   opaque_.use();
-  draw(plan, plan.opaque, opaque_, false);
+  draw(plan, plan.opaque, opaque_, Edges::none);
   opaque_wire_.use();
-  draw(plan, plan.opaque, opaque_wire_, true);
+  draw(plan, plan.opaque, opaque_wire_, Edges::drawn);
 }
 
 void SurfacePass::draw_finished(const FramePlan& plan) const {
   finished_.use();
-  draw(plan, plan.opaque, finished_, false);
+  draw(plan, plan.opaque, finished_, Edges::none);
 }
 
 void SurfacePass::peel(const FramePlan& plan, const Layer& opaque, const Layer* before, const Layer& layer,
@@ -111,7 +111,7 @@ void SurfacePass::peel(const FramePlan& plan, const Layer& opaque, const Layer* 
   opaque.bind_depth(0);
   (before ? *before : opaque).bind_depth(1);
   gl_->BeginQuery(GL_ANY_SAMPLES_PASSED, any_drawn.id());
-  draw(plan, plan.translucent, program, plan.wire);
+  draw(plan, plan.translucent, program, plan.wire ? Edges::drawn : Edges::none);
   gl_->EndQuery(GL_ANY_SAMPLES_PASSED);
 }
 

@@ -27,7 +27,8 @@ class SurfacePass {
 
  private:
   /// Those parts that are drawn with their edges, or those that are not.
-  void draw(const FramePlan& plan, const std::vector<DrawnPart>& parts, const Program& program, bool wire) const;
+  enum class Edges { none, drawn };
+  void draw(const FramePlan& plan, const std::vector<DrawnPart>& parts, const Program& program, Edges edges) const;
 
   const Gl* gl_;
   Program finished_, opaque_, opaque_wire_, peel_, peel_wire_;

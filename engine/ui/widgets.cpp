@@ -54,10 +54,10 @@ double moved_by_keys(double value, double low, double high, const char* format) 
 
 }  // namespace
 
-bool section(const Interface& interface, const char* title, bool open_at_first) {
+bool section(const Interface& interface, const char* title, AtFirst at_first) {
   ImGuiStorage& storage = *ImGui::GetStateStorage();
   const ImGuiID id = ImGui::GetID(title);
-  bool open = storage.GetBool(id, open_at_first);
+  bool open = storage.GetBool(id, at_first == AtFirst::open);
   ImGui::Dummy({0, 0});
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
@@ -250,9 +250,10 @@ void text_field(const char* id) {
   if (interface_now().takes_letters(ImGui::GetID(id))) ImGui::SetKeyboardFocusHere();
 }
 
-void noted(const char* id, bool text) { note_place(ImGui::GetID(id), text); }
+void noted(const char* id, Field field) { note_place(ImGui::GetID(id), field == Field::text); }
 
-bool wide_button(const char* words, bool strong) {
+bool wide_button(const char* words, Emphasis emphasis) {
+  const bool strong = emphasis == Emphasis::strong;
   const std::string seen = say(words);
   const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
   expect_room(seen, width);

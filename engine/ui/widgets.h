@@ -13,7 +13,9 @@
 namespace odontoscope::widgets {
 
 /// A heading that folds what follows. true: it is open.
-bool section(const Interface& interface, const char* title, bool open_at_first = true);
+enum class AtFirst { open, folded };
+inline AtFirst open_if(bool condition) { return condition ? AtFirst::open : AtFirst::folded; }
+bool section(const Interface& interface, const char* title, AtFirst at_first = AtFirst::open);
 
 /// English words as the interface's language has them; see Interface::say. All that follows says its words so.
 std::string say(const std::string& words);
@@ -43,13 +45,16 @@ bool eye(const char* id, bool& open);
 /// others.
 bool button(const char* words, const ImVec2& size = {0, 0});
 void text_field(const char* id);
-void noted(const char* id, bool text = true);
+enum class Field { text, drawn };
+void noted(const char* id, Field field = Field::text);
 
 /// A square of the colour (red, green, blue) that opens a picker.
 bool swatch(const char* id, std::array<float, 3>& colour);
 
-/// A button over the whole width; `strong`: in the accent's colour.
-bool wide_button(const char* words, bool strong = false);
+/// A button over the whole width; strong: in the accent's colour.
+enum class Emphasis { none, strong };
+inline Emphasis strong_if(bool condition) { return condition ? Emphasis::strong : Emphasis::none; }
+bool wide_button(const char* words, Emphasis emphasis = Emphasis::none);
 
 /// A coloured sign (tick, exclamation mark or cross), then words.
 void marked(const Interface& interface, Mark mark, const std::string& words);

@@ -163,7 +163,7 @@ class Mode {
   virtual std::vector<PanelSection> panel() { return {}; }
 
  protected:
-  void notice(std::string words, bool bad = false, double seconds = Notice{}.seconds_left);
+  void notice(std::string words, NoticeKind kind = NoticeKind::told, double seconds = Notice{}.seconds_left);
 
   Workspace& at_;
   ViewerState& state_;

@@ -82,6 +82,6 @@ const KeyTable& Modes::keys() const {
 
 Mode::Mode(Workspace& workspace) : at_(workspace), state_(workspace.state) {}
 
-void Mode::notice(std::string words, bool bad, double seconds) { at_.notice(std::move(words), bad, seconds); }
+void Mode::notice(std::string words, NoticeKind kind, double seconds) { at_.notice(std::move(words), kind, seconds); }
 
 }  // namespace odontoscope

@@ -68,9 +68,9 @@ void draw_notices(const std::vector<Notice>& notices, const Interface& interface
     const ImVec2 low(middle - size.x / 2 - scaled(16), bottom - size.y - scaled(20)),
         high(middle + size.x / 2 + scaled(16), bottom);
     list.AddRectFilled(low, high, theme::rgb(0x252b32, 240), scaled(8));
-    list.AddRect(low, high, notice->bad ? theme::bad : theme::line, scaled(8));
-    list.AddText(font, font->FontSize, {low.x + scaled(16), low.y + scaled(10)}, notice->bad ? theme::bad : theme::text,
-                 words, nullptr, wrap);
+    list.AddRect(low, high, notice->kind == NoticeKind::bad ? theme::bad : theme::line, scaled(8));
+    list.AddText(font, font->FontSize, {low.x + scaled(16), low.y + scaled(10)},
+                 notice->kind == NoticeKind::bad ? theme::bad : theme::text, words, nullptr, wrap);
     bottom = low.y - scaled(8);
   }
 }

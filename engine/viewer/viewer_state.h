@@ -18,9 +18,11 @@
 namespace odontoscope {
 
 /// A few words that go away by themselves.
+enum class NoticeKind { told, bad };
+
 struct Notice {
   std::string words;
-  bool bad = false;
+  NoticeKind kind = NoticeKind::told;
   double seconds_left = 6;
 };
 

@@ -79,10 +79,10 @@ Workspace::Workspace(const Gl& context, const ShaderLibrary& library, ViewerOpti
   interface.speak(options.language);
 }
 
-void Workspace::notice(std::string words, bool bad, double seconds) {
+void Workspace::notice(std::string words, NoticeKind kind, double seconds) {
   constexpr std::size_t most = 3;
   std::erase_if(state.notices, [&](const Notice& shown) { return shown.words == words; });  // said again, not twice
-  state.notices.push_back({std::move(words), bad, seconds});
+  state.notices.push_back({std::move(words), kind, seconds});
   if (state.notices.size() > most) state.notices.erase(state.notices.begin());
 }
 

@@ -86,7 +86,7 @@ class Workspace {
   int frames_to_settle = 3;  // panels need a frame or two to follow an event
   const Modes modes;         // last: they use all others
 
-  void notice(std::string words, bool bad = false, double seconds = Notice{}.seconds_left);
+  void notice(std::string words, NoticeKind kind = NoticeKind::told, double seconds = Notice{}.seconds_left);
   /// Begins to load; the model that is shown stays until the new one is ready.
   void open(LoadRequest request);
   /// In place of what was shown before.

@@ -213,7 +213,7 @@ std::string Ending::in_words() const {
 Process::~Process() {
   if (!runs()) return;
   kill();
-  bury(true);
+  bury(Wait::until_over);
 }
 
 bool Process::start(std::vector<std::string> words, const std::vector<std::pair<const Descriptor*, int>>& files) {
@@ -257,12 +257,12 @@ bool Process::start_work(const std::function<void()>& work, const ChildLimits& l
 
 void Process::kill() { ::kill(leads_group_ ? -number_ : number_, SIGKILL); }
 
-std::optional<Ending> Process::bury(bool patiently) {
+std::optional<Ending> Process::bury(Wait how) {
   int status = 0;
   rusage usage{};
   pid_t ended = 0;
   do {
-    ended = ::wait4(number_, &status, patiently ? 0 : WNOHANG, &usage);
+    ended = ::wait4(number_, &status, how == Wait::until_over ? 0 : WNOHANG, &usage);
   } while (ended < 0 && errno == EINTR);
   if (ended == 0) return std::nullopt;
   if (ended > 0 && leads_group_) kill();  // what it left behind
@@ -275,9 +275,9 @@ std::optional<Ending> Process::bury(bool patiently) {
   return ending;
 }
 
-std::optional<Ending> Process::ended() { return bury(false); }
+std::optional<Ending> Process::ended() { return bury(Wait::no); }
 
-Ending Process::wait() { return *bury(true); }
+Ending Process::wait() { return *bury(Wait::until_over); }
 
 void end_at_once(int exit_code) { ::_exit(exit_code); }
 

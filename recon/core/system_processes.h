@@ -111,7 +111,8 @@ class Process {
   void kill();
 
  private:
-  std::optional<Ending> bury(bool patiently);
+  enum class Wait { no, until_over };
+  std::optional<Ending> bury(Wait wait);
 
   int number_ = -1;
   bool leads_group_ = false;

@@ -67,6 +67,7 @@ Strands::Strands(const Reconstruction& made, const ContourStack& ordered, const 
   first_.push_back(sections_.size());
   pieces_ = UnionFind(sections_.size());
   for (Section& section : sections_) section.open = section.slice == 0 || section.slice + 1 == ordered.slices.size();
+  // NOLINTNEXTLINE(bugprone-branch-clone): links of two kinds
   if (what == Of::material) {
     for (const MadeLink& link : made.links)
       if (link.link.structure == structure) join(link.link.slice, link.link.lower, link.link.upper);

@@ -195,15 +195,14 @@ std::string in_words(const Defect& defect, CaseTable table) {
     return fmt::format("cell ({}, {}, {}), case {} ({}base case {})", at[0], at[1], at[2], number,
                        known.complement ? "complement of " : "", known.base);
   };
-  const std::string where =
+  std::string where =
       fmt::format("Table {}: {} and {} share a face across {}", name(table), cell(defect.first, defect.first_case),
                   cell(defect.second, defect.second_case), "xyz"[defect.axis]);
   switch (defect.kind) {
     case DefectKind::crack:
       return where +
              ". Two of its corners, across a diagonal, are inside; one cell keeps these two apart, the other the two "
-             "that "
-             "are outside, so this edge has a triangle on one side only: a crack.";
+             "that are outside, so this edge has a triangle on one side only: a crack.";
     case DefectKind::misoriented:
       return where +
              ". One case is the complement of its base case, and its triangles were not turned over: the two "

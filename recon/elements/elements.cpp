@@ -49,7 +49,8 @@ std::vector<KindOfShell> kinds_of(const SurfaceReport& report) {
 
 /// Of each material, and of all together.
 bool same_topology(const LabelledComplex& before, const LabelledComplex& now) {
-  for (Label l = 0; l <= before.structures.size(); ++l) {
+  const auto last = static_cast<Label>(before.structures.size());
+  for (Label l = 0; l <= last; ++l) {
     const SurfaceReport was = inspect(surface_of(before, l)), is = inspect(surface_of(now, l));
     if (!is.closed_oriented_manifold() || kinds_of(was) != kinds_of(is)) return false;
   }
@@ -92,7 +93,8 @@ double volume_of(const LabelledComplex& complex, Label label) {
 std::vector<MaterialElements> measured(const LabelledComplex& made, const LabelledComplex& exact,
                                        const Progress& progress) {
   std::vector<MaterialElements> materials;
-  for (Label l = 1; l <= made.structures.size(); ++l) {
+  const auto last = static_cast<Label>(made.structures.size());
+  for (Label l = 1; l <= last; ++l) {
     const TetraMesh tetrahedra = tetrahedra_of(made, l);
     if (tetrahedra.tetrahedra.empty()) continue;
     const auto distance =
@@ -135,7 +137,8 @@ Elements make_elements(const LabelledComplex& exact, double size, const Progress
 double suggested_size(const LabelledComplex& exact) {
   const double whole = diagonal_of(bounds_of(exact).mesh.points);
   double smallest = whole;
-  for (Label l = 1; l <= exact.structures.size(); ++l) {
+  const auto last = static_cast<Label>(exact.structures.size());
+  for (Label l = 1; l <= last; ++l) {
     const SurfaceMesh surface = surface_of(exact, l);
     if (!surface.points.empty()) smallest = std::min(smallest, diagonal_of(surface.points));
   }

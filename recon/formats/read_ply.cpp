@@ -191,7 +191,8 @@ class Body {
     const double length = number(*property.count_type);
     if (!(length >= 0) || length != std::floor(length)) refuse("unparsable", "a list has no sensible length");
     const std::size_t least = encoding_ == Encoding::ascii ? 1 : size_of(property.type);
-    if (length > static_cast<double>(left() / least)) truncated();
+    const std::size_t most = left() / least;
+    if (length > static_cast<double>(most)) truncated();
     return static_cast<std::size_t>(length);
   }
 

@@ -18,6 +18,7 @@ class ValidStack {
   operator const ContourStack&() const { return *stack_; }
 
  private:
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): it moves the stack on
   friend ValidStack validate(ContourStack stack, const Progress& progress);
   explicit ValidStack(ContourStack stack) : stack_(std::make_shared<const ContourStack>(std::move(stack))) {}
   std::shared_ptr<const ContourStack> stack_;

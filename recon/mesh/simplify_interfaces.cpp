@@ -39,7 +39,8 @@ struct MaterialShells {
 /// inside out, which no local test sees. Returns whether there are any.
 bool keep_changed(const std::vector<MaterialShells>& full, const InterfaceWeb& web, std::vector<char>& keep) {
   bool changed = false;
-  for (Label l = 0; l < full.size(); ++l) {
+  const auto end = static_cast<Label>(full.size());
+  for (Label l = 0; l < end; ++l) {
     const MaterialShells now(web.points(), web.faces(), l);
     if (now.report.shells.size() != full[l].report.shells.size())
       throw InternalError("simplifying lost a piece of a material");
@@ -91,7 +92,8 @@ SimplifiedInterfaces simplify_interfaces(const LabelledComplex& complex, std::si
                                          const Progress& progress) {
   progress.tell("simplify", 0);
   std::vector<MaterialShells> full;
-  for (Label l = 0; l <= complex.structures.size(); ++l) full.emplace_back(complex.mesh.points, complex.interfaces, l);
+  const auto last = static_cast<Label>(complex.structures.size());
+  for (Label l = 0; l <= last; ++l) full.emplace_back(complex.mesh.points, complex.interfaces, l);
   std::vector<char> keep(complex.mesh.points.size(), 0);
   SimplifiedInterfaces simple;
   for (;;) {

@@ -29,7 +29,7 @@ void add_entry(zip_t* archive, const ZipEntry& entry) {
   if (!source) refuse_zip(zip_strerror(archive));
   const zip_int64_t index = zip_file_add(archive, entry.name.c_str(), source.get(), ZIP_FL_ENC_UTF_8);
   if (index < 0) refuse_zip(zip_strerror(archive));
-  source.release();  // the archive's now
+  static_cast<void>(source.release());  // the archive's now
   const auto at = static_cast<zip_uint64_t>(index);
   if (zip_set_file_compression(archive, at, ZIP_CM_DEFLATE, 6) != 0 ||
       zip_file_set_dostime(archive, at, midnight, new_year_1980, 0) != 0)
@@ -61,7 +61,7 @@ std::string zip_bytes(std::span<const ZipEntry> entries) {
   zip_source_keep(memory.get());  // once for the archive, once for us
   for (const ZipEntry& entry : entries) add_entry(archive.get(), entry);
   if (zip_close(archive.get()) != 0) refuse_zip(zip_strerror(archive.get()));
-  archive.release();
+  static_cast<void>(archive.release());
   return content_of(memory.get());
 }
 

@@ -9,9 +9,10 @@ namespace odontoscope::partition {
 ContourStack own_faces(const ContourStack& stack, const std::vector<Borders>& borders, const Materials& materials) {
   ContourStack own;
   own.source = stack.source;
+  const auto last = static_cast<Label>(materials.structures.size());
   for (std::size_t k = 0; k < borders.size(); ++k) {
     Slice slice{stack.slices[k].z, {}};
-    for (Label l = 1; l <= materials.structures.size(); ++l)
+    for (Label l = 1; l <= last; ++l)
       for (Contour& face :
            face_contours(borders[k], materials.structures[l - 1], [l](Label label) { return label == l; }))
         slice.contours.push_back(std::move(face));

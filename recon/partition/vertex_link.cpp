@@ -118,9 +118,9 @@ bool VertexLink::regular() const {
   return true;
 }
 
-/// Edge-connected; `touches_outside`: whether each has an edge beyond which there is nothing. With the outside, all
-/// that do are one piece.
-std::vector<std::vector<std::uint32_t>> VertexLink::pieces(const std::vector<bool>& in, bool with_outside,
+/// Edge-connected; `touches_outside`: whether each has an edge beyond which there is nothing. Where the outside joins,
+/// all that do are one piece.
+std::vector<std::vector<std::uint32_t>> VertexLink::pieces(const std::vector<bool>& in, Outside beyond,
                                                            std::vector<bool>& touches_outside) const {
   const auto outside = static_cast<std::uint32_t>(triangles_.size());
   UnionFind joined(triangles_.size() + 1);
@@ -128,7 +128,7 @@ std::vector<std::vector<std::uint32_t>> VertexLink::pieces(const std::vector<boo
     if (!in[t]) continue;
     for (int k = 0; k < 3; ++k) {
       if (across_[t][k] == none) {
-        if (with_outside) joined.join(t, outside);
+        if (beyond == Outside::joins) joined.join(t, outside);
       } else if (in[across_[t][k]]) {
         joined.join(t, across_[t][k]);
       }
@@ -140,14 +140,14 @@ std::vector<std::vector<std::uint32_t>> VertexLink::pieces(const std::vector<boo
   std::vector<std::vector<std::uint32_t>> list;
   touches_outside.clear();
   for (auto& [root, group] : groups) {
-    touches_outside.push_back(with_outside && joined.find(outside) == root);
+    touches_outside.push_back(beyond == Outside::joins && joined.find(outside) == root);
     list.push_back(std::move(group));
   }
   return list;
 }
 
 /// The label with the most edges beside the piece.
-Label VertexLink::commonest_beside(const std::vector<std::uint32_t>& piece, bool material) const {
+Label VertexLink::commonest_beside(const std::vector<std::uint32_t>& piece, Among among) const {
   std::vector<bool> in(triangles_.size(), false);
   for (const std::uint32_t t : piece) in[t] = true;
   std::map<Label, std::size_t> edges;
@@ -155,7 +155,7 @@ Label VertexLink::commonest_beside(const std::vector<std::uint32_t>& piece, bool
     for (const std::uint32_t other : across_[t]) {
       const Label beside = other == none ? void_label : triangles_[other].label;
       if (other != none && in[other]) continue;
-      if (!material || beside != void_label) ++edges[beside];
+      if (among == Among::all || beside != void_label) ++edges[beside];
     }
   Label best = void_label;
   std::size_t most = 0;
@@ -184,14 +184,14 @@ std::vector<Mend> VertexLink::all_mends() const {
       rest[t] = !in[t];
     }
     std::vector<bool> outside;
-    const auto own = pieces(in, false, outside);
+    const auto own = pieces(in, Outside::apart, outside);
     if (own.size() > 1)
-      for (const auto& piece : own) add(piece, part.materials ? void_label : commonest_beside(piece, false));
-    const auto others = pieces(rest, true, outside);
+      for (const auto& piece : own) add(piece, part.materials ? void_label : commonest_beside(piece, Among::all));
+    const auto others = pieces(rest, Outside::joins, outside);
     const bool something_outside = std::find(outside.begin(), outside.end(), true) != outside.end();
     for (std::size_t i = 0; i < others.size(); ++i) {
       if (outside[i] || (others.size() == 1 && !something_outside)) continue;
-      add(others[i], part.materials ? commonest_beside(others[i], true) : part.label);
+      add(others[i], part.materials ? commonest_beside(others[i], Among::materials) : part.label);
     }
     break;
   }

@@ -52,12 +52,16 @@ class VertexLink {
     bool has(Label other) const { return materials ? other != void_label : other == label; }
   };
 
+  /// What lies beyond edges with one triangle: no part of any piece, or one that joins all that reach it.
+  enum class Outside { apart, joins };
+  enum class Among { all, materials };
+
   std::vector<Part> parts() const;
   bool is_disc(const Part& part) const;
   std::vector<Mend> all_mends() const;
-  std::vector<std::vector<std::uint32_t>> pieces(const std::vector<bool>& in, bool with_outside,
+  std::vector<std::vector<std::uint32_t>> pieces(const std::vector<bool>& in, Outside outside,
                                                  std::vector<bool>& touches_outside) const;
-  Label commonest_beside(const std::vector<std::uint32_t>& piece, bool material) const;
+  Label commonest_beside(const std::vector<std::uint32_t>& piece, Among among) const;
   void number_corners();
   void match_edges();
 

@@ -43,7 +43,8 @@ Lattice::Lattice(const Volume& volume) {
 }
 
 double Lattice::at(std::size_t axis, std::ptrdiff_t halves) const {
-  return static_cast<double>(axes_[axis].origin + halves * (axes_[axis].spacing / 2)) * half_step_;
+  const auto half_spacing = axes_[axis].spacing / 2;
+  return static_cast<double>(axes_[axis].origin + halves * half_spacing) * half_step_;
 }
 
 double Lattice::quarters_from(std::size_t axis, std::ptrdiff_t index, int quarters) const {

@@ -48,10 +48,10 @@ Lesson tour_with_scenes() {
   scene.looks = {{"enamel", colour_of(0x112233), 0.3f, false, true}};
   scene.section = Section{{1, 2, 3}, {0, 0.6, 0.8}};
   scene.back_faces = BackFaces::tint;
-  lesson.notes[1] = note_of(scene, false);
+  lesson.notes[1] = note_of(scene, TakenFrom::outside);
   scene.headlight = Headlight{1.5};
   scene.camera.near_mm = 0.01;
-  lesson.notes[0] = note_of(scene, true);
+  lesson.notes[0] = note_of(scene, TakenFrom::inside);
   return lesson;
 }
 

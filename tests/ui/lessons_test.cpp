@@ -56,7 +56,7 @@ class LessonsTest : public FlightTest {
 Lesson toy_quiz(const Viewer& viewer, bool at_end = false) {
   Lesson lesson{"Toy quiz", "", {}};
   lesson.feedback_at_end = at_end;
-  LessonNote note = note_of(viewer.state().scene, false);
+  LessonNote note = note_of(viewer.state().scene, TakenFrom::outside);
   note.title = "Click";
   note.question = LessonQuestion{.kind = LessonQuestion::Kind::click,
                                  .ask = "Click the enamel.",
@@ -553,7 +553,7 @@ TEST_F(LessonsTest, AnArrowIsDrawnByTwoClicksAndPointsAtTheSameFromAnySide) {
 TEST_F(LessonsTest, ArrowsAreSeenInALessonAndHiddenByWalls) {
   viewer_with(toy_tooth(), {.settings = {.panel = false}});
   const auto picture_with = [&](const std::vector<LessonArrow>& arrows, bool inside) {
-    LessonNote note = note_of(viewer().state().scene, inside);
+    LessonNote note = note_of(viewer().state().scene, inside ? TakenFrom::inside : TakenFrom::outside);
     note.title = "Here";
     note.arrows = arrows;
     Lesson lesson{"Arrows", "", {note}};
@@ -575,7 +575,7 @@ TEST_F(LessonsTest, ArrowsAreSeenInALessonAndHiddenByWalls) {
 
 TEST_F(LessonsTest, NarrationIsFoldedUntilSomebodyWantsIt) {
   viewer_with(toy_tooth(), {.settings = {.panel = false}});
-  LessonNote note = note_of(viewer().state().scene, false);
+  LessonNote note = note_of(viewer().state().scene, TakenFrom::outside);
   note.title = "Here";
   note.text = "Short.";
   note.narration = "What is said at length, of all that can be seen here.";

@@ -293,7 +293,8 @@ void comparison_section(ComparisonState& compared, ViewerState& state, const Int
   if (widgets::choice("comparison faces", faces, {"Cull (B)", "Two-sided", "Tint"}))
     state.scene.back_faces = static_cast<BackFaces>(faces);
   widgets::toggle("Draw the faulty edges (E)", state.scene.overlays.edges);
-  if (widgets::wide_button("Next artefact (N)", true)) state.pending_actions.push_back(Action::next_artefact);
+  if (widgets::wide_button("Next artefact (N)", widgets::Emphasis::strong))
+    state.pending_actions.push_back(Action::next_artefact);
   progress_line(compared, interface);
   db_options(compared, interface);
   if (widgets::wide_button(compared.lesson ? "End the lesson" : "Lesson: why culling shows errors"))

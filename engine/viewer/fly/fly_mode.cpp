@@ -85,7 +85,7 @@ void FlyMode::dive(std::size_t cavity, std::function<void()> then) {
 
 void FlyMode::enter_cavity(std::size_t cavity, std::function<void()> then) {
   if (!possible() || cavity >= state_.shown->flight->cavities.size()) {
-    notice(words_without_cavity(*state_.shown), false, reading_seconds);
+    notice(words_without_cavity(*state_.shown), NoticeKind::told, reading_seconds);
     return;
   }
   const FlightSpace& space = state_.shown->flight->cavities[cavity];

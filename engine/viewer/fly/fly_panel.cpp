@@ -19,7 +19,8 @@ namespace {
 using widgets::scaled;
 
 void flight_section(FlyState& fly, ViewerState& state, const Interface& interface) {
-  if (widgets::wide_button("Back to outside (C)", true)) state.pending_actions.push_back(Action::leave_flight);
+  if (widgets::wide_button("Back to outside (C)", widgets::Emphasis::strong))
+    state.pending_actions.push_back(Action::leave_flight);
   if (widgets::wide_button("Through the wall ahead (X)")) state.pending_actions.push_back(Action::pass_wall);
   widgets::remark(interface,
                   "W A S D fly, Q E down and up, or with the other hand I J K L and U O. Arrow keys or a drag look "
@@ -35,7 +36,7 @@ void canal_buttons(FlyState& fly, const std::vector<const CentreLine*>& lines) {
     const double length = lines[i]->length_to_wall();
     const std::string words = fly.on && i < 9 ? fmt::format("{}   {:.1f} mm   ({})", lines[i]->name, length, i + 1)
                                               : fmt::format("{}   {:.1f} mm", lines[i]->name, length);
-    if (widgets::wide_button(words.c_str(), here)) fly.ride_asked = i;
+    if (widgets::wide_button(words.c_str(), widgets::strong_if(here))) fly.ride_asked = i;
   }
 }
 
@@ -91,7 +92,7 @@ void where_section(FlyState& fly, ViewerState& state, const Interface& interface
 }
 
 void comfort_section(FlyState& fly, ViewerState& state, const Interface& interface) {
-  if (!widgets::section(interface, "Comfort", false)) return;
+  if (!widgets::section(interface, "Comfort", widgets::AtFirst::folded)) return;
   Comfort& comfort = state.settings.comfort;
   if (widgets::slider("Angle of view", comfort.field_of_view_deg, 40, 110, "%.0f\xC2\xB0")) fly.view_deg.reset();
   widgets::slider("Speed limit", comfort.speed_limit, 0.5, 24, "%.1f \xC3\x97");
@@ -113,7 +114,7 @@ void fly_entrance(FlyState& fly, ViewerState& state, const Interface& interface)
   }
   two_buttons(state.pending_actions, "Fly inside (C)", Action::enter_pulp, "Fly around (A)", Action::fly_outdoors);
   const auto lines = rideable(state.shown->flight->cavities.front().lines);
-  if (lines.empty() || !widgets::section(interface, "Canals", false)) return;
+  if (lines.empty() || !widgets::section(interface, "Canals", widgets::AtFirst::folded)) return;
   canal_buttons(fly, lines);
   widgets::remark(interface,
                   "Choose one to be led along it; or double click it in the picture, where you see it through the "

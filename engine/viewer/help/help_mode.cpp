@@ -44,7 +44,7 @@ bool HelpMode::answer() { return std::exchange(open_, false); }
 bool HelpMode::hints_shown() const { return state_.settings.hints && state_.shown && at_.modes.effects().first_hints; }
 
 void HelpMode::advance(double) {
-  if (hints_.follow(at_)) notice("That is all it takes. ? lists the keys, G the lessons.", false, 10);
+  if (hints_.follow(at_)) notice("That is all it takes. ? lists the keys, G the lessons.", NoticeKind::told, 10);
 }
 
 void HelpMode::draw(DrawLayer layer, const DrawnPane&) {

@@ -240,7 +240,7 @@ bool LookMode::draw_dialog() {
   const Dialog dialog("empty", at_.layout.viewport, 420);
   dialog_title(at_.interface, "Nothing to look at yet");
   widgets::remark(at_.interface, "Drop a contour stack, a mesh or a volume here.");
-  if (widgets::wide_button("Show the sample molar", true)) state_.to_load = LoadRequest{};
+  if (widgets::wide_button("Show the sample molar", widgets::Emphasis::strong)) state_.to_load = LoadRequest{};
   if (widgets::wide_button("Open\xE2\x80\xA6")) state_.pending_actions.push_back(Action::open_file);
   return true;
 }

@@ -138,7 +138,7 @@ std::optional<glm::dvec3> report_section(const LoadedModel& shown, const Interfa
   const Certificate& certificate = shown.certificate;
   const VerdictLook look = look_of(certificate.verdict);
   headline(certificate, look, interface);
-  if (!widgets::section(interface, "Report", look.mark != Certificate::Mark::good)) return {};
+  if (!widgets::section(interface, "Report", widgets::open_if(look.mark != Certificate::Mark::good))) return {};
   const std::size_t structures = shown.scene.looks.size();
   widgets::remark(interface, fmt::format("{} triangles in {} surface{}", grouped(shown.triangles), structures,
                                          structures == 1 ? "" : "s"));
@@ -181,7 +181,7 @@ void faces_section(ViewerState& state, const Interface& interface) {
 }
 
 void overlays_section(ViewerState& state, const Interface& interface) {
-  if (!widgets::section(interface, "Overlays", false) || !state.shown) return;
+  if (!widgets::section(interface, "Overlays", widgets::AtFirst::folded) || !state.shown) return;
   const OverlaySource& source = state.shown->overlays;
   OverlayChoice& overlays = state.scene.overlays;
   widgets::toggle("Triangle edges", state.scene.wire);

@@ -55,7 +55,7 @@ void NotesMode::show_inside(const LessonNote& note) {
   const auto found = spaces ? std::find_if(spaces->cavities.begin(), spaces->cavities.end(), fits)
                             : std::vector<FlightSpace>::const_iterator{};
   if (!spaces || found == spaces->cavities.end()) {
-    notice("This note was taken inside another tooth: at its place there is no cavity here.", true);
+    notice("This note was taken inside another tooth: at its place there is no cavity here.", NoticeKind::bad);
     return;
   }
   at_.modes.get<FlyMode>().remember_view();
@@ -83,7 +83,7 @@ bool NotesMode::ride_for_note(const LessonNote& note) {
         return true;
       }
   }
-  notice(fmt::format("This model has no canal called {}.", note.tour), true);
+  notice(fmt::format("This model has no canal called {}.", note.tour), NoticeKind::bad);
   return false;
 }
 

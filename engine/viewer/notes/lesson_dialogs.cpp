@@ -224,7 +224,8 @@ void draw_lesson_menu(ViewerState& state, LessonPlayer& lesson, const Interface&
   std::size_t number = 0;
   const auto entry = [&](const std::string& words, const std::string& remark) {
     ImGui::PushID(static_cast<int>(number));
-    if (widgets::wide_button(fmt::format("{}   {}", number + 1, words).c_str(), number == lesson.menu_at()))
+    if (widgets::wide_button(fmt::format("{}   {}", number + 1, words).c_str(),
+                             widgets::strong_if(number == lesson.menu_at())))
       lesson.choose(number, state);
     ImGui::PopID();
     if (!remark.empty()) widgets::remark(interface, remark);

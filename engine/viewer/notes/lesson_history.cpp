@@ -65,8 +65,8 @@ std::string change_in_words(const LessonEdit& one, const LessonEdit& other) {
   return "a note being written";
 }
 
-void LessonHistory::watch(const NotesState& notes, bool typing) {
-  if (typing && now_) return;
+void LessonHistory::watch(const NotesState& notes, Words words) {
+  if (words == Words::begun && now_) return;
   if (now_ && now_->lesson == notes.lesson && now_->draft == notes.draft && now_->draft_of == notes.draft_of) return;
   LessonEdit edit = edit_of(notes);
   if (!now_ || same_words(*now_, edit)) {

@@ -22,9 +22,9 @@ struct LessonEdit {
 /// cancelled comes back by undo.
 class LessonHistory {
  public:
-  /// Looks in each frame what has changed. `typing`: somebody is in the midst of a word, which is one change in the
-  /// end.
-  void watch(const NotesState& notes, bool typing);
+  /// Looks in each frame what has changed. Words that are begun, as somebody types them, are one change in the end.
+  enum class Words { whole, begun };
+  void watch(const NotesState& notes, Words words);
   /// The lesson as it was before the last change; nothing: there was none. Tells what was changed, in words.
   std::optional<std::string> undo(NotesState& notes) { return step(notes, past_, future_); }
   /// What was undone last, again.

@@ -40,7 +40,7 @@ void NotesMode::save_marks() {
 void NotesMode::save_notes() {
   if (notes_.draft && notes_.at_risk()) {
     if (const std::string fault = fault_of_draft(*notes_.draft); !fault.empty()) {
-      notice(fmt::format("The note that is being written cannot be kept yet. {}", fault), true);
+      notice(fmt::format("The note that is being written cannot be kept yet. {}", fault), NoticeKind::bad);
       return;
     }
     keep_draft(notes_);

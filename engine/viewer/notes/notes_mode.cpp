@@ -65,9 +65,9 @@ void NotesMode::answer_leaving() {
 }
 
 void NotesMode::take_requests() {
-  history_.watch(notes_, at_.interface.wants_text());
-  if (std::exchange(notes_.undo, false)) undo(false);
-  if (std::exchange(notes_.redo, false)) undo(true);
+  history_.watch(notes_, at_.interface.wants_text() ? LessonHistory::Words::begun : LessonHistory::Words::whole);
+  if (std::exchange(notes_.undo, false)) step_history(HistoryStep::undo);
+  if (std::exchange(notes_.redo, false)) step_history(HistoryStep::redo);
   if (std::exchange(notes_.write, false)) write_note();
   if (std::exchange(notes_.retake, false) && notes_.draft) {
     const LessonNote now = view_now();
@@ -98,7 +98,7 @@ bool NotesMode::perform(Action action) {
     return true;
   }
   if (action == Action::undo || action == Action::redo) {
-    undo(action == Action::redo);
+    step_history(action == Action::redo ? HistoryStep::redo : HistoryStep::undo);
     return true;
   }
   if (!notes_.shown) return false;
@@ -116,8 +116,9 @@ bool NotesMode::perform(Action action) {
 }
 
 /// The change before is taken back, or the one that was taken back is made again.
-void NotesMode::undo(bool again) {
-  history_.watch(notes_, false);
+void NotesMode::step_history(HistoryStep step) {
+  const bool again = step == HistoryStep::redo;
+  history_.watch(notes_, LessonHistory::Words::whole);
   const std::vector<LessonNote> before = notes_.lesson.notes;
   const std::optional<LessonNote> draft_before = notes_.draft;
   const auto what = again ? history_.redo(notes_) : history_.undo(notes_);
@@ -161,7 +162,7 @@ LessonNote NotesMode::view_now() {
   at_.settle_looks();
   Scene seen = state_.scene;
   seen.camera = at_.camera_goal();
-  return note_of(seen, fly.inside() != nullptr);
+  return note_of(seen, fly.inside() ? TakenFrom::inside : TakenFrom::outside);
 }
 
 bool NotesMode::handle(const Event& event) {
@@ -323,7 +324,8 @@ bool NotesMode::draw_dialog() {
                        ? fmt::format("They are about {} and go when {} is opened.",
                                      state_.shown ? state_.shown->title : "this model", name_of(*leaving.to_open))
                        : "They go when the window is closed.");
-  if (widgets::wide_button(leaving.to_open ? "Save them, then open" : "Save them, then close", true))
+  if (widgets::wide_button(leaving.to_open ? "Save them, then open" : "Save them, then close",
+                           widgets::Emphasis::strong))
     leaving.answer = Answer::save;
   if (widgets::wide_button(leaving.to_open ? "Open without saving" : "Close without saving"))
     leaving.answer = Answer::drop;
@@ -333,7 +335,8 @@ bool NotesMode::draw_dialog() {
 
 std::vector<PanelSection> NotesMode::panel() {
   const auto lessons = [this] {
-    if (widgets::wide_button("Lessons (G)", true)) state_.pending_actions.push_back(Action::toggle_lessons);
+    if (widgets::wide_button("Lessons (G)", widgets::Emphasis::strong))
+      state_.pending_actions.push_back(Action::toggle_lessons);
   };
   const auto notes = [this] { notes_section(notes_, history_, at_.modes.effects().from_outside, at_.interface); };
   return {{SectionPlace::lessons, lessons}, {SectionPlace::notes, notes, true}};

@@ -43,7 +43,8 @@ class NotesMode final : public Mode {
 
  private:
   void write_note();
-  void undo(bool again);
+  enum class HistoryStep { undo, redo };
+  void step_history(HistoryStep step);
   void show_change(const std::vector<LessonNote>& before, const std::optional<LessonNote>& draft_before);
   LessonNote view_now();
   void answer_leaving();

@@ -44,8 +44,10 @@ void undo_buttons(NotesState& notes, const LessonHistory& history) {
 }  // namespace
 
 void notes_section(NotesState& notes, const LessonHistory& history, bool from_outside, const Interface& interface) {
-  if (!widgets::section(interface, "Notes", !notes.lesson.notes.empty())) return;
-  if (!notes.lesson.notes.empty() && !notes.shown && widgets::wide_button("Play as a lesson", true)) notes.go_to = 0;
+  if (!widgets::section(interface, "Notes", widgets::open_if(!notes.lesson.notes.empty()))) return;
+  if (!notes.lesson.notes.empty() && !notes.shown &&
+      widgets::wide_button("Play as a lesson", widgets::Emphasis::strong))
+    notes.go_to = 0;
   const std::optional<std::size_t> shown = notes.shown;  // what is pressed here counts in the next frame
   const std::size_t count = notes.lesson.notes.size();
   for (std::size_t i = 0; i < count && i < notes.lesson.notes.size(); ++i) {
@@ -53,7 +55,7 @@ void notes_section(NotesState& notes, const LessonHistory& history, bool from_ou
     const LessonNote& note = notes.lesson.notes[i];
     const std::string words =
         fmt::format("{}   {}{}", i + 1, note.title.empty() ? "(no title)" : note.title, note.question ? "   ?" : "");
-    if (widgets::wide_button(words.c_str(), shown == i)) notes.go_to = i;
+    if (widgets::wide_button(words.c_str(), widgets::strong_if(shown == i))) notes.go_to = i;
     if (shown == i && !notes.draft) note_buttons(notes, i);
     ImGui::PopID();
   }

@@ -77,7 +77,7 @@ void OpenMode::ask_the_desktop() {
     desktop_ = std::make_unique<DesktopDialog>(at_.options.dialog_program,
                                                FileQuestion{asked_for_, at_.interface.say(title()), folder_.folder});
   } catch (const Error& error) {
-    notice(error.what(), true);
+    notice(error.what(), NoticeKind::bad);
     ask_by_list();
   }
 }
@@ -94,7 +94,7 @@ void OpenMode::take_answer() {
   desktop_.reset();
   at_.frames_to_settle = 3;
   if (!answer->trouble.empty()) {
-    notice(answer->trouble, true);
+    notice(answer->trouble, NoticeKind::bad);
     ask_by_list();
   } else if (!answer->file.empty()) {
     take_file(answer->file);
@@ -257,7 +257,7 @@ void OpenMode::file_dialog() {
     file_ = chosen;
     done = true;
   }
-  done = widgets::wide_button(folder ? "Save in this folder" : "Open", true) || done;
+  done = widgets::wide_button(folder ? "Save in this folder" : "Open", widgets::Emphasis::strong) || done;
   if (!at_.options.dialog_program.empty())
     widgets::toggle("Ask in the desktop's dialog", state_.settings.desktop_dialogs);
   const bool called_off = widgets::wide_button("Cancel");
@@ -275,7 +275,7 @@ void OpenMode::take_typed() {
   if (std::filesystem::is_directory(folder, error))
     take_file(folder);
   else
-    notice(fmt::format("There is no folder {}", folder.string()), true);
+    notice(fmt::format("There is no folder {}", folder.string()), NoticeKind::bad);
 }
 
 }  // namespace odontoscope

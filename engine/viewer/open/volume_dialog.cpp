@@ -57,7 +57,7 @@ void histogram(VolumeQuestion& question, float height) {
     list.AddLine({at(threshold), corner.y}, {at(threshold), corner.y + scaled(8)}, theme::text, scaled(1.5f));
   list.AddLine({at(question.iso), corner.y}, {at(question.iso), corner.y + height}, theme::accent, scaled(2));
   ImGui::InvisibleButton("##histogram", {width, height});
-  widgets::noted("##histogram", false);
+  widgets::noted("##histogram", widgets::Field::drawn);
   if (!ImGui::IsItemActive()) return;
   const double share = std::clamp(static_cast<double>((ImGui::GetIO().MousePos.x - corner.x) / width), 0.0, 1.0);
   question.iso = preview.low + share * span;
@@ -191,7 +191,8 @@ VolumeAnswer volume_dialog(VolumeQuestion& question, const Interface& interface)
                                    : "This is a volume.");
     ask(question, interface);
   }
-  if (question.answered() && widgets::wide_button("Make the model", true)) return {answer_of(question), true};
+  if (question.answered() && widgets::wide_button("Make the model", widgets::Emphasis::strong))
+    return {answer_of(question), true};
   return {{}, widgets::wide_button("Cancel")};
 }
 

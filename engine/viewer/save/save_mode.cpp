@@ -131,7 +131,7 @@ std::vector<PanelSection> SaveMode::panel() {
 }
 
 void SaveMode::section() {
-  if (!widgets::section(at_.interface, "Picture", false)) return;
+  if (!widgets::section(at_.interface, "Picture", widgets::AtFirst::folded)) return;
   PictureSettings& picture = state_.settings.picture;
   ImGui::AlignTextToFramePadding();
   widgets::text("Size");
@@ -159,7 +159,8 @@ void SaveMode::section() {
   int samples = picture.side - 1;
   if (widgets::choice("samples", samples, {"1", "4", "9", "16"})) picture.side = samples + 1;
   widgets::toggle("Transparent background", picture.transparent);
-  if (widgets::wide_button("Take a picture", true)) state_.pending_actions.push_back(Action::take_picture);
+  if (widgets::wide_button("Take a picture", widgets::Emphasis::strong))
+    state_.pending_actions.push_back(Action::take_picture);
   if (widgets::wide_button("Save camera and looks")) state_.pending_actions.push_back(Action::save_scene);
   const std::filesystem::path& folder = at_.files.folder();
   widgets::remark(at_.interface, folder.empty() ? "Files go to the folder that the viewer was started in."

@@ -157,7 +157,7 @@ bool transfer_editor(const GreyValues& greys, std::vector<TransferPoint>& transf
                   std::max(greys.high - greys.low, 1e-30)};
   draw_bars(plot, greys, transfer);
   ImGui::InvisibleButton("##transfer points", {plot.width, plot.height});
-  widgets::noted("##transfer points", false);
+  widgets::noted("##transfer points", widgets::Field::drawn);
   const bool by_mouse = moved_by_mouse(plot, transfer, chosen);
   draw_points(plot, transfer, chosen);
   return moved_by_numbers(plot, transfer, chosen, interface) || by_mouse;
