@@ -31,7 +31,7 @@ struct ModeEffects {
   bool section_handle = true;    // may be seen, and be dragged
   bool first_hints = true;       // may be given
   bool remember_looks = true;    // of structures, as a person changes them
-  bool shadows_in_haste = true;  // ambient occlusion also in pictures that move on a slow machine
+  bool shadows_while_moving = true;  // ambient occlusion also in pictures that move on a slow machine
 };
 
 /// Where a section stands in the panel, from top to bottom.

@@ -119,7 +119,7 @@ void ModelPicture::draw_pane(Workspace& at, const ViewPane& pane, PixelSize size
   const Pane eye{view_of(pane.camera, at.model_of(pane), pane.area.aspect()), {target.id(), left, bottom, pane_size}};
   const bool moving = side < at.options.side;
   Scene scene = at.state.scene;
-  if (moving && !at.modes.effects().shadows_in_haste) scene.occlusion.on = false;
+  if (moving && !at.modes.effects().shadows_while_moving) scene.occlusion.on = false;
   GpuVolume* const grey = pane.db ? nullptr : volume(at.state);
   if (grey) grey->set_coarseness(moving ? moving_coarseness : 1);
   const RenderOptions options{.side = side, .rays = moving ? RenderOptions::Rays::few : RenderOptions::Rays::as_usual};

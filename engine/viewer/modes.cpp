@@ -47,7 +47,7 @@ ModeEffects Modes::effects() const {
     all.section_handle &= its.section_handle;
     all.first_hints &= its.first_hints;
     all.remember_looks &= its.remember_looks;
-    all.shadows_in_haste &= its.shadows_in_haste;
+    all.shadows_while_moving &= its.shadows_while_moving;
   }
   return all;
 }

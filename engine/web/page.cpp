@@ -56,7 +56,7 @@ Json json_of(const std::vector<CameraKey>& keys) {
           {"finest", finest},
           {"along_mm", in_steps(keys, [](const CameraKey& key) { return key.along; })},
           {"at_mm", triple([](const CameraKey& key) { return key.at; })},
-          {"view_direction", triple([](const CameraKey& key) { return key.sight; })},
+          {"view_direction", triple([](const CameraKey& key) { return key.view_direction; })},
           {"up", triple([](const CameraKey& key) { return key.up; })}};
 }
 

@@ -7,6 +7,7 @@
 #include "recon/core/limits.h"
 #include "recon/core/portable_math.h"
 #include "recon/core/spatial_order.h"
+#include "recon/delaunay/limits.h"
 
 namespace odontoscope::delaunay {
 namespace {
@@ -27,7 +28,8 @@ class Conformer {
     const Rings given = rings;
     std::vector<Spot> spots;  // of each point of `rings`: where on the given contours it lies
     for (const SlicePoint p : given.points.indices()) spots.push_back({p, 0, 1});
-    const std::size_t most = limits::steiner_factor * given.points.size() + limits::steiner_free;
+    const std::size_t most = limits::steiner_factor * given.points.size() +
+                             (fineness_ == Fineness::gabriel ? limits::gabriel_free : limits::delaunay_free);
     for (int round = 0; round < limits::conform_rounds; ++round) {
       progress_.check();
       cdt.clear();

@@ -8,11 +8,11 @@
 
 namespace odontoscope {
 
-/// An instant of it, in the model's coordinates. `sight` and `up` have length 1 and are at right angles.
+/// An instant of it, in the model's coordinates. `view_direction` and `up` have length 1 and are at right angles.
 struct CameraKey {
   double seconds = 0;
   Point3 at;  // mm
-  Direction sight, up;
+  Direction view_direction, up;
   double along = 0;  // mm, on the line that the camera follows
 };
 

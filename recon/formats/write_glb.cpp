@@ -67,8 +67,8 @@ Json certificate(const WrittenModel& model) {
 using FloatQuaternion = std::array<float, 4>;  // x, y, z, w
 
 /// The turn from glTF's camera, which looks along -z with +y up, to this one.
-std::array<double, 4> turn_of(const Direction& sight, const Direction& up) {
-  const Direction right = cross(sight, up), back = -1 * sight;
+std::array<double, 4> turn_of(const Direction& view_direction, const Direction& up) {
+  const Direction right = cross(view_direction, up), back = -1 * view_direction;
   // The matrix with these columns as a quaternion, from its largest component (S. Shepperd, 1978).
   const std::array<double, 4> squares{1 + right.x - up.y - back.z, 1 - right.x + up.y - back.z,
                                       1 - right.x - up.y + back.z, 1 + right.x + up.y + back.z};
@@ -89,7 +89,7 @@ std::vector<FloatQuaternion> turns_of(const std::vector<CameraKey>& keys) {
   std::vector<FloatQuaternion> turns;
   std::array<double, 4> before{0, 0, 0, 1};
   for (const CameraKey& key : keys) {
-    std::array<double, 4> turn = turn_of(key.sight, key.up);
+    std::array<double, 4> turn = turn_of(key.view_direction, key.up);
     double along = 0;
     for (std::size_t i = 0; i < 4; ++i) along += turn[i] * before[i];
     for (double& component : turn) component *= along < 0 ? -1 : 1;

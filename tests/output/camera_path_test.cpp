@@ -92,7 +92,7 @@ TEST(GlbCameraPath, PlaysAsGiven) {
       }
       const float* q = &values[4 * i];
       EXPECT_NEAR(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3], 1, 1e-6);
-      EXPECT_NEAR(length(turned(q, {0, 0, -1}) + -1 * key.sight), 0, 1e-6) << i;
+      EXPECT_NEAR(length(turned(q, {0, 0, -1}) + -1 * key.view_direction), 0, 1e-6) << i;
       EXPECT_NEAR(length(turned(q, {0, 1, 0}) + -1 * key.up), 0, 1e-6) << i;
       if (i == 0) continue;
       EXPECT_GT(q[0] * q[-4] + q[1] * q[-3] + q[2] * q[-2] + q[3] * q[-1], 0) << "the long way round at " << i;

@@ -292,7 +292,7 @@ bool FlyMode::moving() const {
 
 ModeEffects FlyMode::effects() const {
   if (!fly_.on) return {};
-  return {.from_outside = false, .names = false, .first_hints = false, .shadows_in_haste = false};
+  return {.from_outside = false, .names = false, .first_hints = false, .shadows_while_moving = false};
 }
 
 void FlyMode::draw_inset(const Target& target) {
