@@ -70,7 +70,8 @@ TEST_F(Doors, WithoutMemoryEndWithWords) {
   if (address_sanitized) GTEST_SKIP() << "the address sanitizer reserves terabytes";
   ASSERT_EQ(odontoscope({"sample", "molar", "-o", "molar.json"}).exit_code, 0);
   int without = 0;
-  constexpr int least = 30, most = 1000, step = 6;
+  constexpr int least = 30, most = 1000;
+  const int step = std::getenv("ODONTOSCOPE_EVERY_LIMIT") != nullptr ? 6 : 18;  // by command: docs/testing.md
   for (int megabytes = least; megabytes < most; megabytes += step) {
     const std::string within = "ulimit -v " + std::to_string(megabytes * 1024) + "; " + program;
     const Ending ending = shell(within + " reconstruct molar.json --threads 1 -o a.glb");
