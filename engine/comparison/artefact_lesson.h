@@ -11,7 +11,7 @@
 //
 // `scene` is what the viewer saves (engine/scene/scene_json.h); what it leaves out is as usual. Layouts: "db", "dt",
 // "side-by-side", "split". With `artefact` the camera goes to the first artefact instead of the scene's. Quantities:
-// see `quantity_of`. Unknown keys are errors.
+// see `quantity_of`. Unknown keys are errors, unless they begin with "x-".
 
 #include <optional>
 #include <span>
@@ -54,7 +54,6 @@ struct ArtefactLesson {
 
 namespace lesson_limits {
 inline constexpr std::size_t bytes = 1u << 18, steps = 32, text = 1200, claims = 8;
-inline constexpr int depth = 12;
 }  // namespace lesson_limits
 
 /// Throws InputError: file-too-large, unparsable, too-deep, wrong-format, wrong-version, wrong-type, missing-key,

@@ -36,36 +36,6 @@ int comparison_threads() { return std::max(1, static_cast<int>(std::thread::hard
 
 }  // namespace
 
-const char* name(ComparisonDecimation decimation) {
-  switch (decimation) {
-    case ComparisonDecimation::none:
-      return "none";
-    case ComparisonDecimation::half:
-      return "half";
-    case ComparisonDecimation::tenth:
-      return "tenth";
-    case ComparisonDecimation::most:
-      return "most";
-  }
-  return "";
-}
-
-const char* name(ComparisonStage stage) {
-  switch (stage) {
-    case ComparisonStage::grid:
-      return "grid";
-    case ComparisonStage::field:
-      return "field";
-    case ComparisonStage::surface:
-      return "surface";
-    case ComparisonStage::decimation:
-      return "decimation";
-    case ComparisonStage::inspection:
-      return "inspection";
-  }
-  return "";
-}
-
 std::size_t ComparisonResult::triangles() const { return sum(structures, &SurfaceReport::triangles); }
 std::size_t ComparisonResult::cracks() const { return sum(structures, &SurfaceReport::boundary_edges); }
 std::size_t ComparisonResult::misoriented() const { return sum(structures, &SurfaceReport::misoriented_edges); }

@@ -27,7 +27,11 @@ namespace odontoscope {
 
 /// How many of the triangles stay: all, a half, a tenth, or as few as half a grid spacing allows.
 enum class ComparisonDecimation { none, half, tenth, most };
-const char* name(ComparisonDecimation decimation);
+inline constexpr NameTable<ComparisonDecimation, 4> comparison_decimations{{{"none", ComparisonDecimation::none},
+                                                                            {"half", ComparisonDecimation::half},
+                                                                            {"tenth", ComparisonDecimation::tenth},
+                                                                            {"most", ComparisonDecimation::most}}};
+inline const char* name(ComparisonDecimation decimation) { return word_of(comparison_decimations, decimation); }
 
 struct ComparisonOptions {
   std::size_t grid = 64;  // points along x and along y, comparison_limits::least_grid to most_grid
@@ -44,7 +48,12 @@ inline constexpr std::size_t least_grid = 8, most_grid = 256;
 }  // namespace comparison_limits
 
 enum class ComparisonStage { grid, field, surface, decimation, inspection };
-const char* name(ComparisonStage stage);
+inline constexpr NameTable<ComparisonStage, 5> comparison_stages{{{"grid", ComparisonStage::grid},
+                                                                  {"field", ComparisonStage::field},
+                                                                  {"surface", ComparisonStage::surface},
+                                                                  {"decimation", ComparisonStage::decimation},
+                                                                  {"inspection", ComparisonStage::inspection}}};
+inline const char* name(ComparisonStage stage) { return word_of(comparison_stages, stage); }
 
 /// One structure, as the judge of all meshes sees it.
 struct ComparisonStructure {

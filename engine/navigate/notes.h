@@ -39,6 +39,7 @@
 #include <vector>
 
 #include "engine/scene/scene.h"
+#include "recon/core/named.h"
 
 namespace odontoscope {
 
@@ -67,6 +68,10 @@ struct LessonQuestion {
   std::string unit = {};                  // number
   friend bool operator==(const LessonQuestion&, const LessonQuestion&) = default;
 };
+
+inline constexpr NameTable<LessonQuestion::Kind, 3> question_kinds{{{"click", LessonQuestion::Kind::click},
+                                                                    {"choice", LessonQuestion::Kind::choice},
+                                                                    {"number", LessonQuestion::Kind::number}}};
 
 struct LessonNote {
   std::string title, text;
@@ -113,9 +118,9 @@ inline constexpr std::size_t most_marks = 50, least_choices = 2, most_choices = 
 inline constexpr std::size_t most_arrows = 50, most_translations = 20, most_translated_texts = 5000;
 inline constexpr double largest_answer = 1e9, least_arrow_mm = 1e-3;
 
-/// Throws InputError: what strict_json.h lists, and wrong-version, bad-title, bad-text, too-many-notes, no-notes,
-/// too-many-marks, too-many-arrows, bad-arrow, repeated-text, too-many-texts, bad-question, bad-value, bad-camera,
-/// too-large, and of a scene what scene_from_json throws. docs/formats.md says when.
+/// Throws InputError: what recon/input/strict_json.h lists, and wrong-version, bad-title, bad-text, too-many-notes,
+/// no-notes, too-many-marks, too-many-arrows, bad-arrow, repeated-text, too-many-texts, bad-question, bad-value,
+/// bad-camera, too-large, and of a scene what scene_from_json throws. docs/formats.md says when.
 Lesson parse_lesson(std::string_view bytes, const std::string& name);
 /// Likewise, and FileError.
 Lesson read_lesson(const std::string& file);

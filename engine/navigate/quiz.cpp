@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -14,12 +13,6 @@
 namespace odontoscope {
 
 namespace {
-
-std::string_view kind_name(LessonQuestion::Kind kind) {
-  static constexpr std::array names = {std::string_view("click"), std::string_view("choice"),
-                                       std::string_view("number")};
-  return names[static_cast<std::size_t>(kind)];
-}
 
 /// "-3", "-3 mm": no formula.
 bool is_measure(const std::string& text) {
@@ -115,7 +108,7 @@ std::string marks_csv(const Quiz& quiz) {
   std::string text = "number,kind,question,given,right,seconds\n";
   for (std::size_t i = 0; i < quiz.rows.size(); ++i) {
     const QuizRow& row = quiz.rows[i];
-    text += fmt::format("{},{},{},{},{},{:.1f}\n", i + 1, kind_name(row.kind), csv_field(row.question),
+    text += fmt::format("{},{},{},{},{},{:.1f}\n", i + 1, word_of(question_kinds, row.kind), csv_field(row.question),
                         csv_field(row.given), row.right ? "yes" : "no", rounded_seconds(row.seconds));
   }
   return text;
@@ -128,7 +121,7 @@ std::string marks_json(const Quiz& quiz) {
   for (std::size_t i = 0; i < quiz.rows.size(); ++i) {
     const QuizRow& row = quiz.rows[i];
     json["rows"].push_back({{"number", i + 1},
-                            {"kind", kind_name(row.kind)},
+                            {"kind", word_of(question_kinds, row.kind)},
                             {"question", row.question},
                             {"given", row.given},
                             {"right", row.right},

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
@@ -19,8 +18,6 @@ namespace odontoscope {
 
 namespace {
 
-constexpr std::array all_views = {NamedView::three_quarter, NamedView::buccal,   NamedView::lingual, NamedView::mesial,
-                                  NamedView::distal,        NamedView::occlusal, NamedView::apical};
 /// Room left around a fitted model, as a factor on its size.
 constexpr double margin = 1.06;
 /// The nearest that the near plane comes, in radii of the model: 32 bit depth is exact enough from there.
@@ -68,35 +65,6 @@ ViewDirection direction_of(NamedView view, const AnatomicalFrame& frame) {
       break;
   }
   return {glm::normalize(0.80 * frame.buccal - 0.45 * frame.mesial + 0.40 * frame.occlusal), frame.occlusal};
-}
-
-const char* name(NamedView view) {
-  switch (view) {
-    case NamedView::three_quarter:
-      return "three-quarter";
-    case NamedView::buccal:
-      return "buccal";
-    case NamedView::lingual:
-      return "lingual";
-    case NamedView::mesial:
-      return "mesial";
-    case NamedView::distal:
-      return "distal";
-    case NamedView::occlusal:
-      return "occlusal";
-    case NamedView::apical:
-      return "apical";
-  }
-  return "unknown";
-}
-
-NamedView view_named(std::string_view wanted) {
-  std::string names;
-  for (const NamedView view : all_views) {
-    if (wanted == name(view)) return view;
-    names += names.empty() ? name(view) : std::string(", ") + name(view);
-  }
-  throw UsageError(fmt::format("there is no view \"{}\"", wanted), fmt::format("Choose one of {}.", names));
 }
 
 Camera fit(const Camera& looking, const Model& model, double aspect) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "engine/scene/model.h"
+#include "recon/core/named.h"
 
 namespace odontoscope {
 
@@ -23,6 +24,9 @@ struct Camera {
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
+inline constexpr NameTable<Camera::Projection, 2> camera_projections{
+    {{"perspective", Camera::Projection::perspective}, {"parallel", Camera::Projection::parallel}}};
+
 /// Directions of a tooth in the model's coordinates, unit vectors. The default is the project's convention: roots at
 /// low z, crown at high z; buccal (or labial) is +y, mesial +x.
 struct AnatomicalFrame {
@@ -33,9 +37,16 @@ struct AnatomicalFrame {
 
 enum class NamedView { three_quarter, buccal, lingual, mesial, distal, occlusal, apical };
 
-const char* name(NamedView view);
-/// "three-quarter", "buccal", ...; throws UsageError with the list of names.
-NamedView view_named(std::string_view name);
+inline constexpr NameTable<NamedView, 7> named_views{{{"three-quarter", NamedView::three_quarter},
+                                                      {"buccal", NamedView::buccal},
+                                                      {"lingual", NamedView::lingual},
+                                                      {"mesial", NamedView::mesial},
+                                                      {"distal", NamedView::distal},
+                                                      {"occlusal", NamedView::occlusal},
+                                                      {"apical", NamedView::apical}}};
+inline const char* name(NamedView view) { return word_of(named_views, view); }
+/// Throws UsageError with the list of names.
+inline NamedView view_named(std::string_view name) { return value_named(named_views, name, "view"); }
 
 /// Unit vectors: to where the eye stands, and what is upwards in the picture, at right angles to it or nearly.
 struct ViewDirection {

@@ -6,6 +6,7 @@
 
 #include "assets/theme.h"
 #include "engine/scene/colour.h"
+#include "recon/core/named.h"
 
 namespace odontoscope {
 
@@ -28,8 +29,12 @@ constexpr std::array<Colour, 3> stops_of(DataColours::Of of) {
 /// Of what lies nowhere near the data's surface.
 inline constexpr Colour nowhere_near = colour_of(assets::theme::data::nowhere_near);
 
-const char* name(DataColours::Of of);
-/// "distance", "slope". Throws UsageError for anything else.
-DataColours::Of data_colours_named(std::string_view name);
+inline constexpr NameTable<DataColours::Of, 2> surface_colourings{
+    {{"distance", DataColours::Of::distance}, {"slope", DataColours::Of::slope}}};
+inline const char* name(DataColours::Of of) { return word_of(surface_colourings, of); }
+/// Throws UsageError with the list of names.
+inline DataColours::Of data_colours_named(std::string_view name) {
+  return value_named(surface_colourings, name, "colouring of surfaces called");
+}
 
 }  // namespace odontoscope

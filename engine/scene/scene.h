@@ -13,6 +13,7 @@
 #include "engine/scene/data_colours.h"
 #include "engine/scene/model.h"
 #include "engine/scene/volume_look.h"
+#include "recon/core/named.h"
 
 namespace odontoscope {
 
@@ -51,9 +52,14 @@ struct CapLook {
   friend bool operator==(const CapLook&, const CapLook&) = default;
 };
 
+inline constexpr NameTable<CapLook::Shows, 3> cap_contents{
+    {{"material", CapLook::Shows::material}, {"plain", CapLook::Shows::plain}, {"ct", CapLook::Shows::ct}}};
+
 /// What happens to triangles seen from behind, that is clockwise: left out as game engines and web viewers do, drawn
 /// like any other, or drawn in an alarming colour.
 enum class BackFaces { cull, show, tint };
+inline constexpr NameTable<BackFaces, 3> back_face_modes{
+    {{"cull", BackFaces::cull}, {"show", BackFaces::show}, {"tint", BackFaces::tint}}};
 
 struct Background {
   enum class Kind { plain, gradient, transparent };
@@ -62,6 +68,10 @@ struct Background {
   Colour bottom = colour_of(assets::theme::interface::light::sky_bottom);
   friend bool operator==(const Background&, const Background&) = default;
 };
+
+inline constexpr NameTable<Background::Kind, 3> background_kinds{{{"plain", Background::Kind::plain},
+                                                                  {"gradient", Background::Kind::gradient},
+                                                                  {"transparent", Background::Kind::transparent}}};
 
 /// Screen-space ambient occlusion: how much darker it is where little sky is seen.
 struct Occlusion {

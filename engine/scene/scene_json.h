@@ -29,15 +29,11 @@ namespace odontoscope {
 
 std::string to_json(const Scene& scene);
 
-/// `start` with what the file's text says changed. `file` is for messages. Throws InputError: unparsable, wrong-format,
-/// wrong-version, wrong-type, not-finite, bad-camera, bad-value.
+/// `start` with what the file's text says changed. `file` is for messages. Throws InputError: what
+/// recon/input/strict_json.h names of a tolerant reading, wrong-version, bad-camera, bad-value.
 Scene scene_from_json(const std::string& text, const Scene& start, const std::string& file = {});
 
 /// Reads such a file (FileError if it cannot be read, InputError as above).
 Scene read_scene(const std::string& file, const Scene& start);
-
-/// The vocabulary of the command line and the file: "cull", "show", "tint".
-const char* name(BackFaces mode);
-BackFaces back_faces_named(std::string_view name);
 
 }  // namespace odontoscope

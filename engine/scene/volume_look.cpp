@@ -12,26 +12,6 @@
 
 namespace odontoscope {
 
-namespace {
-
-constexpr std::array all_shows{VolumeLook::Shows::surfaces, VolumeLook::Shows::volume, VolumeLook::Shows::both};
-constexpr std::array all_casts{VolumeLook::Cast::shaded, VolumeLook::Cast::maximum, VolumeLook::Cast::average,
-                               VolumeLook::Cast::radiograph, VolumeLook::Cast::surface};
-constexpr std::array all_presets{TransferPreset::tooth, TransferPreset::enamel, TransferPreset::dentine,
-                                 TransferPreset::pulp, TransferPreset::soft};
-
-template <class All>
-auto one_named(const All& all, std::string_view wanted, std::string_view what) {
-  std::string names;
-  for (const auto one : all) {
-    if (wanted == name(one)) return one;
-    names += names.empty() ? name(one) : std::string(", ") + name(one);
-  }
-  throw UsageError(fmt::format("there is no {} \"{}\"", what, wanted), fmt::format("Choose one of {}.", names));
-}
-
-}  // namespace
-
 std::optional<std::size_t> dental_film(const glm::dvec2& mm) {
   for (std::size_t i = 0; i < dental_films_mm.size(); ++i)
     if (mm == dental_films_mm[i] || mm == glm::dvec2(dental_films_mm[i].y, dental_films_mm[i].x)) return i;
@@ -72,54 +52,6 @@ std::vector<Anchored> anchored(TransferPreset preset) {
 }
 
 }  // namespace
-
-const char* name(VolumeLook::Shows shows) {
-  switch (shows) {
-    case VolumeLook::Shows::volume:
-      return "volume";
-    case VolumeLook::Shows::both:
-      return "both";
-    case VolumeLook::Shows::surfaces:
-      break;
-  }
-  return "surfaces";
-}
-
-const char* name(VolumeLook::Cast cast) {
-  switch (cast) {
-    case VolumeLook::Cast::maximum:
-      return "maximum";
-    case VolumeLook::Cast::average:
-      return "average";
-    case VolumeLook::Cast::radiograph:
-      return "radiograph";
-    case VolumeLook::Cast::surface:
-      return "surface";
-    case VolumeLook::Cast::shaded:
-      break;
-  }
-  return "shaded";
-}
-
-const char* name(TransferPreset preset) {
-  switch (preset) {
-    case TransferPreset::enamel:
-      return "enamel";
-    case TransferPreset::dentine:
-      return "dentine";
-    case TransferPreset::pulp:
-      return "pulp";
-    case TransferPreset::soft:
-      return "soft";
-    case TransferPreset::tooth:
-      break;
-  }
-  return "tooth";
-}
-
-VolumeLook::Shows shows_named(std::string_view wanted) { return one_named(all_shows, wanted, "way to show a volume"); }
-VolumeLook::Cast cast_named(std::string_view wanted) { return one_named(all_casts, wanted, "way to cast rays"); }
-TransferPreset transfer_named(std::string_view wanted) { return one_named(all_presets, wanted, "transfer function"); }
 
 glm::vec4 transferred(const std::vector<TransferPoint>& transfer, double value) {
   if (transfer.empty()) return glm::vec4(0);

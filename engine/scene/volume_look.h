@@ -12,6 +12,7 @@
 #include "assets/films.h"
 #include "assets/theme.h"
 #include "engine/scene/colour.h"
+#include "recon/core/named.h"
 
 namespace odontoscope {
 
@@ -72,12 +73,23 @@ struct VolumeLook {
   friend bool operator==(const VolumeLook&, const VolumeLook&) = default;
 };
 
-const char* name(VolumeLook::Shows shows);
-const char* name(VolumeLook::Cast cast);
-/// "surfaces", "volume", "both"; "shaded", "maximum", "average", "radiograph", "surface". Throw UsageError for anything
-/// else.
-VolumeLook::Shows shows_named(std::string_view name);
-VolumeLook::Cast cast_named(std::string_view name);
+inline constexpr NameTable<VolumeLook::Shows, 3> volume_shows{{{"surfaces", VolumeLook::Shows::surfaces},
+                                                               {"volume", VolumeLook::Shows::volume},
+                                                               {"both", VolumeLook::Shows::both}}};
+inline constexpr NameTable<VolumeLook::Cast, 5> volume_casts{{{"shaded", VolumeLook::Cast::shaded},
+                                                              {"maximum", VolumeLook::Cast::maximum},
+                                                              {"average", VolumeLook::Cast::average},
+                                                              {"radiograph", VolumeLook::Cast::radiograph},
+                                                              {"surface", VolumeLook::Cast::surface}}};
+inline const char* name(VolumeLook::Shows shows) { return word_of(volume_shows, shows); }
+inline const char* name(VolumeLook::Cast cast) { return word_of(volume_casts, cast); }
+/// Throw UsageError with the list of names.
+inline VolumeLook::Shows shows_named(std::string_view name) {
+  return value_named(volume_shows, name, "way to show a volume");
+}
+inline VolumeLook::Cast cast_named(std::string_view name) {
+  return value_named(volume_casts, name, "way to cast rays");
+}
 
 /// Linear colour and extinction, 1/mm. Precondition: `transfer` is ascending; an empty one shows nothing.
 glm::vec4 transferred(const std::vector<TransferPoint>& transfer, double value);
@@ -96,9 +108,16 @@ bool sensible(const std::vector<TransferPoint>& transfer);
 /// what is in it, enamel denser. Enamel: dentine only a breath. Dentine: all hard tissue. Pulp: the walls of what is
 /// hollow, in red. Soft: what is a little denser than air.
 enum class TransferPreset { tooth, enamel, dentine, pulp, soft };
-const char* name(TransferPreset preset);
+inline constexpr NameTable<TransferPreset, 5> transfer_presets{{{"tooth", TransferPreset::tooth},
+                                                                {"enamel", TransferPreset::enamel},
+                                                                {"dentine", TransferPreset::dentine},
+                                                                {"pulp", TransferPreset::pulp},
+                                                                {"soft", TransferPreset::soft}}};
+inline const char* name(TransferPreset preset) { return word_of(transfer_presets, preset); }
 /// Throws UsageError with the list of names.
-TransferPreset transfer_named(std::string_view name);
+inline TransferPreset transfer_named(std::string_view name) {
+  return value_named(transfer_presets, name, "transfer function");
+}
 std::vector<TransferPoint> transfer_of(TransferPreset preset, double air, double dentine);
 
 }  // namespace odontoscope

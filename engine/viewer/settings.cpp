@@ -2,15 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "engine/picture/image.h"
-#include "engine/scene/scene_json.h"
+#include "engine/scene/json_colour.h"
 #include "recon/core/atomic_file.h"
 #include "recon/core/error.h"
 #include "recon/core/read_file.h"
+#include "recon/input/json_schema.h"
 
 namespace odontoscope {
 
@@ -21,131 +22,9 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t longest_tag = 35;
 constexpr const char* format_name = "odontoscope.viewer-settings";
 constexpr std::size_t most_bytes = 64 * 1024;
-/// Deeper than any settings are, and far from what would overflow the stack.
-constexpr int deepest = 8;
 
-/// Sets what makes sense and remembers the first thing that does not.
-class Reader {
- public:
-  Reader(const Json& object, std::string& complaint) : object_(object), complaint_(complaint) {}
-
-  void read(const char* key, int& value, int low, int high) const {
-    double wide = value;
-    if (number(key, wide, low, high)) value = static_cast<int>(std::lround(wide));
-  }
-  void read(const char* key, float& value, float low, float high) const {
-    double wide = value;
-    if (number(key, wide, low, high)) value = static_cast<float>(wide);
-  }
-  void read(const char* key, double& value, double low, double high) const { number(key, value, low, high); }
-  void read(const char* key, bool& value) const {
-    const auto found = object_.find(key);
-    if (found == object_.end()) return;
-    if (found->is_boolean())
-      value = found->get<bool>();
-    else
-      complain(key, "is neither true nor false");
-  }
-  template <class Value>
-  void read(const char* key, Value& value, std::initializer_list<std::pair<const char*, Value>> words) const {
-    const auto found = object_.find(key);
-    if (found == object_.end()) return;
-    if (found->is_string())
-      for (const auto& [word, meaning] : words)
-        if (*found == word) return void(value = meaning);
-    complain(key, "is none of the words that it may be");
-  }
-  /// A language's tag, a path.
-  void read(const char* key, std::string& text, std::size_t longest, const char* what) const {
-    const auto found = object_.find(key);
-    if (found == object_.end()) return;
-    if (found->is_string() && found->get<std::string>().size() <= longest)
-      text = found->get<std::string>();
-    else
-      complain(key, what);
-  }
-  void read(const char* key, std::vector<std::string>& files) const {
-    const auto found = object_.find(key);
-    if (found == object_.end()) return;
-    if (!found->is_array()) return void(complain(key, "is no list"));
-    for (const Json& file : *found) {
-      if (files.size() == most_recent_files)
-        return void(complain(key, fmt::format("has more than {} files", most_recent_files)));
-      if (!file.is_string() || file.get<std::string>().empty() || file.get<std::string>().size() > most_path_bytes)
-        return void(complain(key, "has a file that is none"));
-      files.push_back(file.get<std::string>());
-    }
-  }
-  void read(const char* key, std::vector<RememberedLook>& looks) const {
-    const auto found = object_.find(key);
-    if (found == object_.end()) return;
-    if (!found->is_object()) return void(complain(key, "is no object"));
-    for (const auto& [structure, json] : found->items()) {
-      if (looks.size() == most_remembered_looks)
-        return void(complain(key, fmt::format("has more than {} structures", most_remembered_looks)));
-      if (structure.empty() || structure.size() > most_structure_bytes || !json.is_object())
-        return void(complain(key, "has a structure that is none"));
-      RememberedLook look{structure, {}, 1};
-      const auto colour = json.find("colour");
-      try {
-        if (colour == json.end() || !colour->is_string())
-          return void(complain(key, "has a structure without a colour"));
-        look.colour = colour_from_hex(colour->template get<std::string>());
-      } catch (const UsageError&) {
-        return void(complain(key, "has a colour that is none"));
-      }
-      if (!json.contains("opacity") || !Reader(json, complaint_).number("opacity", look.opacity))
-        return void(complain(key, "has an opacity that is none"));
-      looks.push_back(std::move(look));
-    }
-  }
-  Reader inside(const char* key) const {
-    static const Json empty = Json::object();
-    const auto found = object_.find(key);
-    if (found == object_.end()) return {empty, complaint_};
-    if (found->is_object()) return {*found, complaint_};
-    complain(key, "is no object");
-    return {empty, complaint_};
-  }
-
- private:
-  bool number(const char* key, float& opacity) const {
-    double wide = 1;
-    if (!number(key, wide, 0, 1)) return false;
-    opacity = static_cast<float>(wide);
-    return true;
-  }
-  bool number(const char* key, double& value, double low, double high) const {
-    const auto found = object_.find(key);
-    if (found == object_.end()) return false;
-    if (!found->is_number()) return complain(key, "is no number");
-    const double wanted = found->get<double>();
-    if (!(wanted >= low && wanted <= high)) return complain(key, fmt::format("is not between {} and {}", low, high));
-    value = wanted;
-    return true;
-  }
-  bool complain(const char* key, std::string_view wrong) const {
-    if (complaint_.empty()) complaint_ = fmt::format("\"{}\" {}", key, wrong);
-    return false;
-  }
-
-  const Json& object_;
-  std::string& complaint_;
-};
-
-constexpr std::initializer_list<std::pair<const char*, BackFaces>> back_faces_words = {
-    {"cull", BackFaces::cull}, {"show", BackFaces::show}, {"tint", BackFaces::tint}};
-constexpr std::initializer_list<std::pair<const char*, Camera::Projection>> projection_words = {
-    {"perspective", Camera::Projection::perspective}, {"parallel", Camera::Projection::parallel}};
-constexpr std::initializer_list<std::pair<const char*, Backdrop>> backdrop_words = {
-    {"dark", Backdrop::dark}, {"light", Backdrop::light}, {"white", Backdrop::white}};
-
-template <class Value>
-const char* word_for(Value value, std::initializer_list<std::pair<const char*, Value>> words) {
-  for (const auto& [word, meaning] : words)
-    if (meaning == value) return word;
-  return "";
-}
+constexpr NameTable<Backdrop, 3> backdrops{
+    {{"dark", Backdrop::dark}, {"light", Backdrop::light}, {"white", Backdrop::white}}};
 
 /// What is written is what is read again: both keep to these. A window is as narrow as its user and the desktop like.
 constexpr int smallest_window_side = 64, largest_window_side = 16384, least_picture_side = 16, most_samples_a_side = 4;
@@ -171,17 +50,86 @@ Settings within_limits(Settings settings) {
   return settings;
 }
 
-Json parsed(const std::string& text) {
-  const Json::parser_callback_t shallow = [](int depth, Json::parse_event_t, Json&) {
-    if (depth > deepest) throw std::length_error("too deep");
-    return true;
-  };
-  try {
-    return Json::parse(text, shallow);
-  } catch (const std::exception&) {
-    return Json(nlohmann::detail::value_t::discarded);
+/// Sets what makes sense; the first thing that does not is the complaint.
+class SettingsSchema {
+ public:
+  explicit SettingsSchema(Settings& settings) : settings_(settings) {
+    const JsonRange window_side{smallest_window_side, largest_window_side},
+        picture_side{least_picture_side, most_picture_side};
+    PictureSettings& picture = settings.picture;
+    Comfort& comfort = settings.comfort;
+    schema_.document(
+        format_name, {0, 0},
+        {schema_.object("window", {schema_.number("width", settings.window.width, window_side),
+                                   schema_.number("height", settings.window.height, window_side)}),
+         schema_.flag("panel", settings.panel), schema_.flag("names", settings.names),
+         schema_.flag("hints", settings.hints), schema_.flag("desktop_dialogs", settings.desktop_dialogs),
+         text("save_folder", settings.save_folder, most_path_bytes), text("language", settings.language, longest_tag),
+         schema_.number("text_scale", settings.text_scale, {smallest_text_scale, largest_text_scale}),
+         schema_.word("back_faces", settings.back_faces, back_face_modes),
+         schema_.word("projection", settings.projection, camera_projections),
+         schema_.word("backdrop", settings.backdrop, backdrops),
+         schema_.object("picture", {schema_.number("width", picture.width, picture_side),
+                                    schema_.number("height", picture.height, picture_side),
+                                    schema_.flag("as_seen", picture.as_seen),
+                                    schema_.number("samples_a_side", picture.side, {1, most_samples_a_side}),
+                                    schema_.flag("transparent", picture.transparent)}),
+         schema_.object(
+             "flight",
+             {schema_.number("field_of_view_deg", comfort.field_of_view_deg, {narrowest_view_deg, widest_view_deg}),
+              schema_.number("speed_limit", comfort.speed_limit, {slowest_limit, fastest_limit}),
+              schema_.flag("vignette", comfort.vignette), schema_.flag("reduced_motion", comfort.reduced_motion),
+              schema_.flag("wall_depth", comfort.wall_depth), schema_.flag("wall_thickness", comfort.wall_thickness)}),
+         recent(), looks()});
   }
-}
+  /// What is to be complained of.
+  std::string read(const std::string& text) {
+    schema_.read(text, "settings");
+    return schema_.complaint();
+  }
+
+ private:
+  void complain(std::string_view wrong) { schema_.fault("bad-value", wrong, ""); }
+
+  JsonField text(std::string_view key, std::string& value, std::size_t longest) {
+    return schema_.field(key, JsonNode::Shape::text, {.text = [this, key, &value, longest](const std::string& read) {
+                           if (read.size() <= longest) return void(value = read);
+                           complain(fmt::format("\"{}\" is longer than {} bytes", key, longest));
+                         }});
+  }
+  JsonField recent() {
+    return schema_.texts("recent", "a file", {.most = most_recent_files}, [this](const std::string& file) {
+      if (!file.empty() && file.size() <= most_path_bytes) return settings_.recent.push_back(file);
+      complain("\"recent\" has a file that is none");
+    });
+  }
+  JsonField looks() {
+    return schema_.map("looks", "a look", [this](const std::string& name) { name_ = name; },
+                       {json_colour(
+                            schema_, "colour", [this]() -> auto& { return colour_; }),
+                        schema_.number("opacity", opacity_, {0, 1})},
+                       {.opened =
+                            [this] {
+                              colour_.reset();
+                              opacity_.reset();
+                            },
+                        .closed = [this] { take_look(); }});
+  }
+  void take_look() {
+    if (name_.empty() || name_.size() > most_structure_bytes) return complain("\"looks\" has a structure that is none");
+    if (!colour_ || !opacity_) return complain("\"looks\" has a structure without a colour or an opacity");
+    forget(settings_, name_);
+    if (settings_.looks.size() == most_remembered_looks)
+      return complain(fmt::format("\"looks\" has more than {} structures", most_remembered_looks));
+    settings_.looks.push_back({name_, *colour_, *opacity_});
+  }
+
+  Settings& settings_;
+  std::string name_;  // of the look that is read
+  std::optional<Colour> colour_;
+  std::optional<float> opacity_;
+  JsonSchema schema_{"the settings", JsonReading::forgiving};
+};
 
 }  // namespace
 
@@ -234,9 +182,9 @@ std::string to_json(const Settings& wanted) {
             {"hints", settings.hints},
             {"desktop_dialogs", settings.desktop_dialogs},
             {"text_scale", std::stod(fmt::format("{}", settings.text_scale))},
-            {"back_faces", word_for(settings.back_faces, back_faces_words)},
-            {"projection", word_for(settings.projection, projection_words)},
-            {"backdrop", word_for(settings.backdrop, backdrop_words)},
+            {"back_faces", word_of(back_face_modes, settings.back_faces)},
+            {"projection", word_of(camera_projections, settings.projection)},
+            {"backdrop", word_of(backdrops, settings.backdrop)},
             {"picture",
              {{"width", settings.picture.width},
               {"height", settings.picture.height},
@@ -264,39 +212,11 @@ std::string to_json(const Settings& wanted) {
 ReadSettings settings_from_json(const std::string& text) {
   ReadSettings read;
   if (text.size() > most_bytes) return {{}, "it is larger than settings can be"};
-  const Json json = parsed(text);
-  if (!json.is_object() || !json.contains("format") || json["format"] != format_name)
+  try {
+    read.complaint = SettingsSchema(read.settings).read(text);
+  } catch (const Error&) {
     return {{}, "it is no settings file of this viewer"};
-  const Reader reader(json, read.complaint);
-  Settings& settings = read.settings;
-  const Reader window = reader.inside("window");
-  window.read("width", settings.window.width, smallest_window_side, largest_window_side);
-  window.read("height", settings.window.height, smallest_window_side, largest_window_side);
-  reader.read("panel", settings.panel);
-  reader.read("names", settings.names);
-  reader.read("hints", settings.hints);
-  reader.read("desktop_dialogs", settings.desktop_dialogs);
-  reader.read("save_folder", settings.save_folder, most_path_bytes, "is no folder");
-  reader.read("recent", settings.recent);
-  reader.read("language", settings.language, longest_tag, "is no language");
-  reader.read("text_scale", settings.text_scale, smallest_text_scale, largest_text_scale);
-  reader.read("back_faces", settings.back_faces, back_faces_words);
-  reader.read("projection", settings.projection, projection_words);
-  reader.read("backdrop", settings.backdrop, backdrop_words);
-  const Reader picture = reader.inside("picture");
-  picture.read("width", settings.picture.width, least_picture_side, most_picture_side);
-  picture.read("height", settings.picture.height, least_picture_side, most_picture_side);
-  picture.read("as_seen", settings.picture.as_seen);
-  picture.read("samples_a_side", settings.picture.side, 1, most_samples_a_side);
-  picture.read("transparent", settings.picture.transparent);
-  const Reader flight = reader.inside("flight");
-  flight.read("field_of_view_deg", settings.comfort.field_of_view_deg, narrowest_view_deg, widest_view_deg);
-  flight.read("speed_limit", settings.comfort.speed_limit, slowest_limit, fastest_limit);
-  flight.read("vignette", settings.comfort.vignette);
-  flight.read("reduced_motion", settings.comfort.reduced_motion);
-  flight.read("wall_depth", settings.comfort.wall_depth);
-  flight.read("wall_thickness", settings.comfort.wall_thickness);
-  reader.read("looks", settings.looks);
+  }
   return read;
 }
 

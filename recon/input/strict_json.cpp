@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <utility>
 
 #include "recon/core/limits.h"
 #include "recon/core/lower_case.h"
@@ -16,6 +17,7 @@ namespace {
 std::string_view in_words(JsonNode::Shape shape) {
   switch (shape) {
     case JsonNode::Shape::object:
+    case JsonNode::Shape::map:
       return "an object {...}";
     case JsonNode::Shape::array:
       return "a list [...]";
@@ -27,6 +29,7 @@ std::string_view in_words(JsonNode::Shape shape) {
       return "a text in quotes";
     case JsonNode::Shape::boolean:
       return "true or false";
+    case JsonNode::Shape::kept:
     case JsonNode::Shape::ignored:
       break;
   }
@@ -67,27 +70,27 @@ struct JsonEvents {
   StrictJson& reader;
 
   bool null() {
-    reader.take_null();
+    if (!kept(nullptr)) reader.take_null();
     return true;
   }
   bool boolean(bool value) {
-    reader.take_boolean(value);
+    if (!kept(value)) reader.take_boolean(value);
     return true;
   }
   bool number_integer(json::number_integer_t value) {
-    reader.take_number(static_cast<double>(value));
+    if (!kept(value)) reader.take_number(static_cast<double>(value));
     return marked();
   }
   bool number_unsigned(json::number_unsigned_t value) {
-    reader.take_count(value);
+    if (!kept(value)) reader.take_count(value);
     return marked();
   }
   bool number_float(json::number_float_t value, const std::string&) {
-    reader.take_number(value);
+    if (!kept(value)) reader.take_number(value);
     return marked();
   }
   bool string(std::string& value) {
-    reader.take_text(value);
+    if (!kept(value)) reader.take_text(value);
     return marked();
   }
   bool binary(json::binary_t&) { return false; }
@@ -100,7 +103,7 @@ struct JsonEvents {
     return marked();
   }
   bool end_object() {
-    reader.close();
+    reader.close('}');
     return true;
   }
   bool start_array(std::size_t) {
@@ -108,7 +111,7 @@ struct JsonEvents {
     return true;
   }
   bool end_array() {
-    reader.close();
+    reader.close(']');
     return true;
   }
   bool parse_error(std::size_t, const std::string& token, const json::exception& error) {
@@ -117,6 +120,12 @@ struct JsonEvents {
   }
 
  private:
+  template <class Value>
+  bool kept(const Value& value) {
+    if (!reader.keeps_value()) return false;
+    reader.keep(json(value).dump());
+    return true;
+  }
   bool marked() {
     reader.source_->mark();
     return true;
@@ -129,6 +138,8 @@ void StrictJson::read(JsonSource& source) {
   after_key_ = -1;
   skipping_ = false;
   skipped_depth_ = 0;
+  keeping_ = -1;
+  complaint_.clear();
   JsonEvents events{*this};
   nlohmann::json::sax_parse(source.begin(), source.end(), &events);
   if (!source.ended()) {  // the parser takes a zero byte for the end
@@ -146,6 +157,11 @@ void StrictJson::refuse(std::string_view cause, std::string_view wrong, std::str
   throw InputError(cause, place(), wrong, remedy);
 }
 
+void StrictJson::fault(std::string_view cause, std::string_view wrong, std::string_view remedy) {
+  if (reading_ != JsonReading::forgiving) refuse(cause, wrong, remedy);
+  if (complaint_.empty()) complaint_ = wrong;
+}
+
 int StrictJson::expected() const {
   if (open_.empty()) return 0;
   const JsonNode& parent = rule(open_.back().node);
@@ -159,53 +175,87 @@ bool StrictJson::skips_value() {
   return true;
 }
 
+/// Is the value at hand kept, or part of one that is?
+bool StrictJson::keeps_value() const {
+  return keeping_ >= 0 || (!skipping_ && rule(expected()).shape == JsonNode::Shape::kept);
+}
+
+/// A scalar, or a bracket, of a value that is kept; the whole of it if no bracket is open.
+void StrictJson::keep(std::string_view token) {
+  const bool first = kept_.empty() || std::string_view("{[:").find(kept_.back()) != std::string_view::npos;
+  if (!first && token != "}" && token != "]") kept_ += ',';
+  kept_ += token;
+  if (skipped_depth_ > 0) return;
+  const int node = keeping_ >= 0 ? keeping_ : expected();
+  keeping_ = -1;
+  kept(node, std::exchange(kept_, {}));
+}
+
 void StrictJson::open(JsonNode::Shape shape) {
+  const bool is_list = shape == JsonNode::Shape::array;
+  if (!skipping_ && keeps_value()) {
+    keeping_ = expected();
+    skipping_ = true;
+  }
   if (skipping_) {
     if (++skipped_depth_ > limits::json_depth) {
       refuse("too-deep", fmt::format("more than {} levels of brackets", limits::json_depth),
              "Check that this is the file you mean");
     }
+    if (keeping_ >= 0) keep(is_list ? "[" : "{");
     return;
   }
   const int node = expected();
-  if (rule(node).shape == JsonNode::Shape::ignored) {
+  const JsonNode::Shape wanted = rule(node).shape;
+  const bool fits = wanted == shape || (wanted == JsonNode::Shape::map && !is_list);
+  if (!fits && wanted != JsonNode::Shape::ignored) wrong_type(node, in_words(shape));
+  if (!fits) {
     skipping_ = true;
     skipped_depth_ = 1;
     return;
   }
-  if (rule(node).shape != shape) wrong_type(node, in_words(shape));
   open_.push_back({node, 0});
   opened(node);
 }
 
-void StrictJson::close() {
+void StrictJson::close(char bracket) {
   if (skipping_) {
     if (--skipped_depth_ == 0) skipping_ = false;
+    if (keeping_ >= 0) keep({&bracket, 1});
     return;
   }
   const Frame frame = open_.back();
   const std::span<const JsonNode::Key> keys = rule(frame.node).keys;
   for (std::size_t k = 0; k < keys.size(); ++k) {
     if (!keys[k].required || (frame.keys_seen >> k & 1u)) continue;
-    refuse("missing-key", fmt::format("{} has no \"{}\"", rule(frame.node).what, keys[k].name),
-           fmt::format("Add \"{}\"", keys[k].name));
+    fault("missing-key", fmt::format("{} has no \"{}\"", rule(frame.node).what, keys[k].name),
+          fmt::format("Add \"{}\"", keys[k].name));
   }
   closed(frame.node);
   open_.pop_back();
 }
 
 void StrictJson::key(const std::string& name) {
+  if (keeping_ >= 0) {
+    if (kept_.back() != '{') kept_ += ',';
+    kept_ += nlohmann::json(name).dump() + ':';
+  }
   if (skipping_) return;
-  if (name.starts_with("x-")) {
+  const JsonNode& object = rule(open_.back().node);
+  if (object.shape == JsonNode::Shape::map) {
+    after_key_ = object.element;
+    return named(open_.back().node, name);
+  }
+  const auto found =
+      std::find_if(object.keys.begin(), object.keys.end(), [&](const auto& k) { return k.name == name; });
+  const bool known = found != object.keys.end();
+  if (name.starts_with("x-") || (!known && reading_ != JsonReading::strict)) {
     skipping_ = true;
     return;
   }
-  const JsonNode& object = rule(open_.back().node);
-  const auto found =
-      std::find_if(object.keys.begin(), object.keys.end(), [&](const auto& k) { return k.name == name; });
-  if (found == object.keys.end()) unknown_key(object, name);
+  if (!known) unknown_key(object, name);
   const std::uint32_t bit = 1u << (found - object.keys.begin());
-  if (open_.back().keys_seen & bit) {
+  if (reading_ == JsonReading::strict && open_.back().keys_seen & bit) {
     refuse("repeated-key", fmt::format("{} has \"{}\" twice", object.what, name), "Remove one of them");
   }
   open_.back().keys_seen |= bit;
@@ -269,16 +319,18 @@ void StrictJson::take_boolean(bool value) {
 void StrictJson::take_null() {
   if (skips_value()) return;
   const int node = expected();
-  if (rule(node).shape != JsonNode::Shape::ignored) wrong_type(node, "null");
+  const bool is_member = !open_.empty() && rule(open_.back().node).shape == JsonNode::Shape::object;
+  if (rule(node).shape == JsonNode::Shape::ignored || (is_member && reading_ == JsonReading::tolerant)) return;
+  wrong_type(node, "null");
 }
 
-void StrictJson::wrong_type(int node, std::string_view found) const {
+void StrictJson::wrong_type(int node, std::string_view found) {
   if (node == 0) {
     refuse("wrong-format", fmt::format("{} is {}, but here is {}", rule(0).what, in_words(rule(0).shape), found),
            "Check that this is the file you mean");
   }
-  refuse("wrong-type", fmt::format("{} must be {}, but here is {}", rule(node).what, in_words(rule(node).shape), found),
-         "Correct the value");
+  fault("wrong-type", fmt::format("{} must be {}, but here is {}", rule(node).what, in_words(rule(node).shape), found),
+        "Correct the value");
 }
 
 void StrictJson::unknown_key(const JsonNode& object, const std::string& name) const {

@@ -103,7 +103,7 @@ std::vector<Large> json_files() {
                 numbered(60'000, "{\"name\":\"#\"}") + "]}";
        },
        "bad-value"},
-      {"scene", "a million brackets", [] { return times(1'000'000, "["); }, "unparsable"},
+      {"scene", "a million brackets", [] { return "{\"deep\":" + times(1'000'000, "["); }, "too-deep"},
       {"notes", "a note too many",
        [] {
          return "{\"format\":\"odontoscope.tour\",\"version\":1,\"title\":\"\",\"notes\":[" +
@@ -116,7 +116,7 @@ std::vector<Large> json_files() {
        "too-many-notes"},
       {"notes", "a million brackets", [] { return "{\"x-deep\":" + times(1'000'000, "{\"a\":"); }, "too-deep"},
       {"lesson", "as many keys as fit", [] { return "{" + numbered(24'000, "\"#\":0") + "}"; }, "unknown-key"},
-      {"lesson", "as many brackets as fit", [] { return times(260'000, "["); }, "too-deep"},
+      {"lesson", "as many brackets as fit", [] { return "{\"x-deep\":" + times(260'000, "["); }, "too-deep"},
       {"lesson", "a megabyte", [] { return times(1'000'000, " "); }, "file-too-large"},
       {"settings", "as many keys as fit",
        [] { return "{\"format\":\"odontoscope.viewer-settings\"," + numbered(6'500, "\"#\":0") + "}"; }, "accepted"},

@@ -34,7 +34,8 @@ std::string word_behind(std::string_view text, std::string_view open) {
   return std::string(text.substr(0, length));
 }
 
-/// First argument of InputError's constructor, and of the functions named `refuse` that lead to it.
+/// First argument of InputError's constructor, and of the functions named `refuse` and `fault` that lead to it, and
+/// what declarations name as the cause of a fault.
 std::set<std::string> thrown_causes() {
   std::set<std::string> causes;
   std::vector<std::filesystem::path> sources;
@@ -43,12 +44,19 @@ std::set<std::string> thrown_causes() {
   sources.push_back(source_folder() / "engine/app/made_model.cpp");  // moves models by what is said on the command line
   sources.push_back(source_folder() / "engine/language/language_json.cpp");
   sources.push_back(source_folder() / "engine/navigate/notes_json.cpp");
+  sources.push_back(source_folder() / "engine/navigate/question_json.cpp");
   for (const std::filesystem::path& source : sources) {
     if (source.extension() != ".cpp" && source.extension() != ".h") continue;
     const std::string text = read_file(source.string());
-    for (const std::string_view thrower : {"InputError", "refuse"}) {
+    for (const auto& [thrower, open] :
+         std::initializer_list<std::pair<std::string_view, std::string_view>>{{"InputError", "(\""},
+                                                                              {"refuse", "(\""},
+                                                                              {"fault", "(\""},
+                                                                              {".cause", "=\""},
+                                                                              {".truncated", "=\""},
+                                                                              {".unreadable", "=\""}}) {
       for (std::size_t at = text.find(thrower); at != std::string::npos; at = text.find(thrower, at + 1)) {
-        causes.insert(word_behind(std::string_view(text).substr(at + thrower.size()), "(\""));
+        causes.insert(word_behind(std::string_view(text).substr(at + thrower.size()), open));
       }
     }
   }

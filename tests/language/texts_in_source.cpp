@@ -150,7 +150,8 @@ std::set<std::string> texts_of_db_lesson(const std::filesystem::path& source) {
 }
 
 std::set<std::string> causes_in_source(const std::filesystem::path& source) {
-  static const std::regex thrown(R"re(\b(?:InputError|refuse)\s*\(\s*"([a-z0-9-]+)")re");
+  static const std::regex thrown(
+      R"re((?:\b(?:InputError|refuse|fault)\s*\(|\.(?:cause|truncated|unreadable) =)\s*"([a-z0-9-]+)")re");
   std::set<std::string> causes;
   for (const char* part : {"recon", "engine"})
     for (const auto& entry : std::filesystem::recursive_directory_iterator(source / part)) {

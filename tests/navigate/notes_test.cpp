@@ -241,7 +241,7 @@ TEST(Lesson, RefuseAScenesFaultsWithTheNotesNumber) {
   const std::string head = R"({"format":"odontoscope.scene","version":1,)";
   EXPECT_EQ(cause(head + R"("wire":true})"), "read");
   EXPECT_EQ(cause(head + R"("camera":{"height_mm":-1}})"), "read") << "the note has its own";
-  EXPECT_EQ(cause("[]"), "wrong-type");
+  EXPECT_EQ(cause("[]"), "wrong-format");
   EXPECT_EQ(cause(R"({"version":1})"), "wrong-format");
   EXPECT_EQ(cause(head + R"("wire":1})"), "wrong-type");
   EXPECT_EQ(cause(head + R"("structures":[{"name":"enamel","opacity":2}]})"), "bad-value");

@@ -65,7 +65,7 @@ TEST(SceneFiles, ChangeOnlyWhatTheySay) {
 
 TEST(SceneFiles, ThatMakeNoSenseAreRefused) {
   EXPECT_EQ(cause_of("{"), "unparsable");
-  EXPECT_EQ(cause_of("[]"), "wrong-type");
+  EXPECT_EQ(cause_of("[]"), "wrong-format");
   EXPECT_EQ(cause_of(R"({"format":"odontoscope.stack","version":1})"), "wrong-format");
   EXPECT_EQ(cause_of(R"({"format":"odontoscope.scene","version":2})"), "wrong-version");
   EXPECT_EQ(cause_of(with(R"("camera":5)")), "wrong-type");
@@ -91,8 +91,9 @@ TEST(SceneFiles, ThatMakeNoSenseAreRefused) {
   EXPECT_EQ(cause_of(with(R"("cap":{"window":"wide"})")), "wrong-type");
   EXPECT_EQ(cause_of(with(R"("wire":1)")), "wrong-type");
   EXPECT_EQ(cause_of(with(R"("back_faces":"sometimes")")), "bad-value");
-  EXPECT_EQ(cause_of(with(R"("camera":{"position":[1e999,0,0]})")), "unparsable");
-  EXPECT_EQ(cause_of(std::string(100'000, '[')), "unparsable");
+  EXPECT_EQ(cause_of(with(R"("camera":{"position":[1e999,0,0]})")), "not-finite");
+  EXPECT_EQ(cause_of(std::string(100'000, '[')), "wrong-format");
+  EXPECT_EQ(cause_of(with(R"("note":)" + std::string(100'000, '['))), "too-deep");
 }
 
 class NamedViews : public ::testing::TestWithParam<NamedView> {};
