@@ -1,12 +1,14 @@
 #pragma once
-// The data sets of a DICOM file in memory, nested ones too: only as much of DICOM PS3.5 as structure sets need. GDCM is
-// not used for them, since some broken files trip its assertions, which end the program.
+// The data sets of a DICOM file in memory, nested ones too, asked for what structure sets hold.
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "recon/dicom/dicom_walk.h"
 
 namespace odontoscope {
 
@@ -23,8 +25,8 @@ class DicomSet {
 
   /// Elements one after the other, somewhere in the file.
   struct DataSet {
-    std::size_t first = 0, end = 0;
-    bool explicit_vr = true;
+    std::uint64_t first = 0, end = 0;
+    bool implicit_vr = false;
   };
   DataSet top() const { return top_; }
 
@@ -34,27 +36,14 @@ class DicomSet {
   std::vector<DataSet> items(const DataSet& data, std::uint32_t tag) const;
 
  private:
-  struct Element {
-    std::uint32_t tag = 0;
-    std::string_view vr;             // empty where it is implied
-    std::size_t first = 0, end = 0;  // of the value; of a sequence without length, without its delimiter
-    std::size_t next = 0;            // first byte behind it
-    bool undefined = false;          // it has no length but a delimiter
-    bool explicit_items = true;
-  };
-  Element element(std::size_t at, std::size_t end, bool explicit_vr, int depth) const;
-  Element header(std::size_t at, std::size_t end, bool explicit_vr) const;
-  std::size_t skip_items(std::size_t at, std::size_t end, bool explicit_vr, int depth) const;
-  std::size_t skip_item(std::size_t at, std::size_t end, bool explicit_vr, int depth) const;
-  /// False if it is not there.
-  bool find(const DataSet& data, std::uint32_t tag, Element& found) const;
-  void read_meta_information(std::size_t at);
-  std::uint32_t number(std::size_t at, std::size_t bytes, std::size_t end) const;
-  [[noreturn]] void truncated(std::size_t at) const;
-  [[noreturn]] void unreadable(std::size_t at, std::string_view wrong) const;
+  /// Where the value begins; empty if it is not there.
+  std::optional<DicomHead> find(const DataSet& data, std::uint32_t tag) const;
+  void read_meta_information(std::uint64_t at);
 
   std::string_view bytes_;
   std::string file_;
+  mutable DicomSource source_;
+  mutable DicomWalk walk_;
   DataSet top_;
 };
 

@@ -28,20 +28,6 @@ using namespace parsing;
 
 constexpr std::string_view structure_set_class = "1.2.840.10008.5.1.4.1.1.481.3";
 constexpr std::size_t preamble = 128;
-constexpr std::uint32_t character_set = 0x00080005;
-
-constexpr std::uint32_t roi_sequence = 0x30060020, roi_number = 0x30060022, roi_name = 0x30060026;
-constexpr std::uint32_t contours_by_roi = 0x30060039, contour_sequence = 0x30060040, geometric_type = 0x30060042,
-                        point_count = 0x30060046, contour_data = 0x30060050, referenced_roi = 0x30060084;
-
-// Whose structures they are, and of which images.
-constexpr std::uint32_t frame_uid = 0x00200052, frame_indicator = 0x00201040, study_uid = 0x0020000d,
-                        series_uid = 0x0020000e, frames_referred = 0x30060010, studies_referred = 0x30060012,
-                        series_referred = 0x30060014, images_referred = 0x30060016, class_referred = 0x00081150,
-                        instance_referred = 0x00081155, frame_referred = 0x00081160, roi_frame_uid = 0x30060024;
-constexpr std::array<std::uint32_t, 10> identity{0x00080020, 0x00080030, 0x00080050, 0x00080090, 0x00081030,
-                                                 0x00100010, 0x00100020, 0x00100030, 0x00100040, 0x00200010};
-
 struct Roi {
   std::string name;
   std::map<std::string, std::size_t> left_out;  // types, and how many contours of them
@@ -69,9 +55,9 @@ class StructureSetReader {
  private:
   void read_names() {
     std::map<std::string, std::size_t> times;
-    for (const DicomSet::DataSet& item : set_.items(set_.top(), roi_sequence)) {
+    for (const DicomSet::DataSet& item : set_.items(set_.top(), dicom::roi_sequence)) {
       std::string name = name_of(item);
-      const std::string number(set_.text(item, roi_number));
+      const std::string number(set_.text(item, dicom::roi_number));
       if (name.empty()) name = "ROI " + plain(number);
       if (const std::size_t n = ++times[name]; n > 1) name = fmt::format("{} ({})", name, n);
       by_number_.emplace(number, rois_.size());
@@ -86,35 +72,38 @@ class StructureSetReader {
 
   void read_origin() {
     const DicomSet::DataSet top = set_.top();
-    for (const std::uint32_t tag : identity) {
+    for (const std::uint32_t tag : dicom::identity) {
       if (const std::string_view text = set_.text(top, tag); !text.empty()) origin_->identity.emplace(tag, text);
     }
-    origin_->character_set = set_.text(top, character_set);
-    origin_->study = set_.text(top, study_uid);
-    origin_->position_indicator = set_.text(top, frame_indicator);
-    origin_->frame_of_reference = set_.text(top, frame_uid);
-    for (const DicomSet::DataSet& frame : set_.items(top, frames_referred)) {
-      if (const std::string_view uid = set_.text(frame, frame_uid); !uid.empty()) origin_->frame_of_reference = uid;
-      for (const DicomSet::DataSet& study : set_.items(frame, studies_referred)) {
-        for (const DicomSet::DataSet& series : set_.items(study, series_referred)) {
-          if (origin_->series.empty()) origin_->series = set_.text(series, series_uid);
+    origin_->character_set = set_.text(top, dicom::character_set);
+    origin_->study = set_.text(top, dicom::study_uid);
+    origin_->position_indicator = set_.text(top, dicom::position_indicator);
+    origin_->frame_of_reference = set_.text(top, dicom::frame_of_reference);
+    for (const DicomSet::DataSet& frame : set_.items(top, dicom::referenced_frames)) {
+      if (const std::string_view uid = set_.text(frame, dicom::frame_of_reference); !uid.empty())
+        origin_->frame_of_reference = uid;
+      for (const DicomSet::DataSet& study : set_.items(frame, dicom::referenced_studies)) {
+        for (const DicomSet::DataSet& series : set_.items(study, dicom::referenced_study_series)) {
+          if (origin_->series.empty()) origin_->series = set_.text(series, dicom::series_uid);
         }
       }
     }
-    for (const DicomSet::DataSet& roi : set_.items(top, roi_sequence)) {
-      if (origin_->frame_of_reference.empty()) origin_->frame_of_reference = set_.text(roi, roi_frame_uid);
+    for (const DicomSet::DataSet& roi : set_.items(top, dicom::roi_sequence)) {
+      if (origin_->frame_of_reference.empty())
+        origin_->frame_of_reference = set_.text(roi, dicom::roi_frame_of_reference);
     }
     result_.patient.dicom = origin_;
   }
 
   /// The images that a contour was drawn on; the first contour of each tells where it lies.
   void add_instances(const DicomSet::DataSet& item, const Point3& at) {
-    for (const DicomSet::DataSet& image : set_.items(item, images_referred)) {
-      DicomInstance instance{std::string(set_.text(image, class_referred)),
-                             std::string(set_.text(image, instance_referred)), 0, std::array{at.x, at.y, at.z}};
+    for (const DicomSet::DataSet& image : set_.items(item, dicom::contour_images)) {
+      DicomInstance instance{std::string(set_.text(image, dicom::referenced_class)),
+                             std::string(set_.text(image, dicom::referenced_instance)), 0,
+                             std::array{at.x, at.y, at.z}};
       double frame = 0;
       constexpr double most = 1e6;
-      if (parse_number(set_.text(image, frame_referred), frame) && frame >= 1 && frame <= most)
+      if (parse_number(set_.text(image, dicom::referenced_frame), frame) && frame >= 1 && frame <= most)
         instance.frame = static_cast<std::uint32_t>(frame);
       if (!instance.uid.empty() && known_instances_.emplace(instance.uid, instance.frame).second)
         origin_->instances.push_back(std::move(instance));
@@ -123,8 +112,8 @@ class StructureSetReader {
 
   /// In UTF-8, cut at a whole character.
   std::string name_of(const DicomSet::DataSet& item) {
-    const DecodedText decoded =
-        to_utf8(set_.text(item, roi_name).substr(0, 4 * limits::name_length), set_.text(set_.top(), character_set));
+    const DecodedText decoded = to_utf8(set_.text(item, dicom::roi_name).substr(0, 4 * limits::name_length),
+                                        set_.text(set_.top(), dicom::character_set));
     if (decoded.guessed && !guess_told_) {
       result_.remarks.push_back(
           "names are not in the character set that the file states; they were read as UTF-8, or else as Latin-1");
@@ -150,26 +139,26 @@ class StructureSetReader {
   }
 
   void read_outlines() {
-    const std::vector<DicomSet::DataSet> of_all = set_.items(set_.top(), contours_by_roi);
+    const std::vector<DicomSet::DataSet> of_all = set_.items(set_.top(), dicom::contours_by_roi);
     if (of_all.empty())
       refuse("unreadable-structure-set", whole_, "it holds no contours", "Check that it is the file you mean");
     for (const DicomSet::DataSet& of_roi : of_all) {
-      const auto roi = by_number_.find(std::string(set_.text(of_roi, referenced_roi)));
+      const auto roi = by_number_.find(std::string(set_.text(of_roi, dicom::referenced_roi)));
       if (roi == by_number_.end())
         refuse("unreadable-structure-set", whole_, "contours of a region that has no name", "Export it again");
       if (!is_wanted(rois_[roi->second].name)) {
-        rois_[roi->second].taken = set_.items(of_roi, contour_sequence).size();  // for the list of those there
+        rois_[roi->second].taken = set_.items(of_roi, dicom::contour_sequence).size();  // for the list of those there
         continue;
       }
       std::size_t number = 0;
-      for (const DicomSet::DataSet& item : set_.items(of_roi, contour_sequence))
+      for (const DicomSet::DataSet& item : set_.items(of_roi, dicom::contour_sequence))
         add_outline(item, roi->second, number++);
     }
   }
 
   void add_outline(const DicomSet::DataSet& item, std::size_t structure, std::size_t number) {
     Roi& roi = rois_[structure];
-    const std::string type = plain(set_.text(item, geometric_type));
+    const std::string type = plain(set_.text(item, dicom::geometric_type));
     if (type != "CLOSED_PLANAR" && type != "CLOSEDPLANAR_XOR") {
       ++roi.left_out[type.empty() ? "no type" : type];
       return;
@@ -177,8 +166,8 @@ class StructureSetReader {
     ++roi.taken;
     Outline outline{roi.name, number, {}};
     const std::string what = fmt::format("contour {} of {}", number, roi.name);
-    const std::vector<double> numbers = decimals(set_.text(item, contour_data), what);
-    const std::string_view said = set_.text(item, point_count);
+    const std::vector<double> numbers = decimals(set_.text(item, dicom::contour_data), what);
+    const std::string_view said = set_.text(item, dicom::point_count);
     if (numbers.size() % 3 != 0 || (!said.empty() && said != std::to_string(numbers.size() / 3))) {
       refuse("wrong-count", whole_,
              fmt::format("{} says that it has {} points, and holds {} numbers", what, plain(said), numbers.size()),

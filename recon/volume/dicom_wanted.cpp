@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "recon/volume/dicom_file.h"
+#include "recon/dicom/dicom_tags.h"
 
 namespace odontoscope::dicom {
 namespace {
@@ -90,6 +90,5 @@ bool has(const Tags& tags, std::uint32_t tag) {
 
 bool is_wanted(std::uint32_t tag) { return has(wanted, tag); }
 bool is_wanted_of_record(std::uint32_t tag) { return has(wanted_of_record, tag); }
-bool is_pixels(std::uint32_t tag) { return tag == pixel_data || tag == float_pixels || tag == double_pixels; }
 
 }  // namespace odontoscope::dicom

@@ -9,6 +9,5 @@ namespace odontoscope::dicom {
 bool is_wanted(std::uint32_t tag);
 /// And of the records of a DICOMDIR, each of which repeats much of what its file says.
 bool is_wanted_of_record(std::uint32_t tag);
-bool is_pixels(std::uint32_t tag);
 
 }  // namespace odontoscope::dicom

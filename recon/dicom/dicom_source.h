@@ -1,14 +1,13 @@
 #pragma once
-// Where the bytes of a DICOM file come from. Inner part of dicom_file.h.
+// Where the bytes of a DICOM file come from. Inner part of dicom_walk.h and of volume/dicom_file.h.
 
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <string>
+#include <string_view>
 #include <utility>
-
-#include "recon/volume/dicom_file.h"
 
 namespace odontoscope {
 
@@ -21,8 +20,14 @@ class DicomSource {
     size_ = static_cast<std::uint64_t>(std::max<std::streamoff>(in_.tellg(), 0));
   }
 
+  /// Borrowed: they must outlive it.
+  explicit DicomSource(std::string_view bytes) : size_(bytes.size()), at_hand_(bytes) {}
+  DicomSource(const DicomSource&) = delete;
+  DicomSource& operator=(const DicomSource&) = delete;
+
   void hold(std::string unpacked) {
     window_ = std::move(unpacked);
+    at_hand_ = window_;
     first_ = 0;
     size_ = window_.size();
     in_.close();
@@ -32,13 +37,15 @@ class DicomSource {
 
   bool read(std::uint64_t at, char* to, std::size_t count) {
     if (at > size_ || count > size_ - at) return false;
-    if (at < first_ || at + count > first_ + window_.size()) {
+    if (at < first_ || at + count > first_ + at_hand_.size()) {
       if (count >= piece) return read_plain(at, to, count);
       window_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(piece, size_ - at)));
       first_ = at;
-      if (!read_plain(at, window_.data(), window_.size())) return window_.clear(), false;
+      at_hand_ = {};
+      if (!read_plain(at, window_.data(), window_.size())) return false;
+      at_hand_ = window_;
     }
-    std::memcpy(to, window_.data() + (at - first_), count);
+    std::memcpy(to, at_hand_.data() + (at - first_), count);
     return true;
   }
 
@@ -54,6 +61,7 @@ class DicomSource {
   std::ifstream in_;
   std::uint64_t size_ = 0, first_ = 0;
   std::string window_;
+  std::string_view at_hand_;  // from first_ on: the window, or all
 };
 
 }  // namespace odontoscope
