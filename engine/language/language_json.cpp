@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "engine/language/language.h"
 #include "engine/language/places.h"
 #include "recon/core/read_file.h"
-#include "recon/input/strict_json.h"
+#include "recon/input/json_schema.h"
 
 namespace odontoscope {
 
@@ -33,43 +34,6 @@ namespace {
 constexpr std::string_view language_format = "odontoscope.language";
 constexpr int language_version = 1;
 
-enum LanguageNode {
-  whole_file,
-  format_node,
-  version_node,
-  tag_node,
-  name_node,
-  decimal_node,
-  group_node,
-  texts_node,
-  pair_node,
-  text_node,
-  errors_node,
-  error_node,
-  error_text_node
-};
-
-using Shape = JsonNode::Shape;
-constexpr JsonNode::Key file_keys[] = {{"format", format_node, true},   {"version", version_node, true},
-                                       {"language", tag_node, true},    {"name", name_node, true},
-                                       {"decimal", decimal_node, true}, {"group", group_node, true},
-                                       {"texts", texts_node, true},     {"errors", errors_node, false}};
-constexpr JsonNode language_nodes[] = {
-    {Shape::object, "a language", -1, file_keys},
-    {Shape::text, "\"format\""},
-    {Shape::number, "\"version\""},
-    {Shape::text, "\"language\""},
-    {Shape::text, "\"name\""},
-    {Shape::text, "\"decimal\""},
-    {Shape::text, "\"group\""},
-    {Shape::array, "\"texts\"", pair_node},
-    {Shape::array, "a pair of texts", text_node},
-    {Shape::text, "a text"},
-    {Shape::array, "\"errors\"", error_node},
-    {Shape::array, "words for an error", error_text_node},
-    {Shape::text, "a text"},
-};
-
 std::vector<std::string> names_of_places(std::string_view text) {
   std::vector<std::string> names;
   for (const TextPlace& place : places_in(text)) names.push_back(place.name);
@@ -94,93 +58,79 @@ bool is_plain(const std::string& text, std::size_t longest) {
   });
 }
 
-class LanguageReader final : public StrictJson {
- public:
-  LanguageReader() : StrictJson(language_nodes) {}
+/// Between digits.
+bool is_sign(const std::string& text) { return is_plain(text, 4) && text.find_first_of("0123456789\n") == text.npos; }
 
-  Language read_language(JsonSource& source) {
-    read(source);
+class LanguageSchema {
+ public:
+  LanguageSchema() {
+    const JsonLength texts{
+        .most = most_language_texts, .cause = "too-many-texts", .remedy = "Keep those that the program has."},
+        errors{.most = most_language_errors, .cause = "too-many-texts", .remedy = "Keep those that the program has."};
+    schema_.document(
+        language_format, {language_version, language_version},
+        {text("language", language_.tag, is_tag, "is no tag such as \"de\" or \"pt-BR\""),
+         text(
+             "name", language_.name, [](const std::string& name) { return is_plain(name, 60); },
+             "is not the language's own name for itself, of at most 60 bytes"),
+         text("decimal", language_.decimal, is_sign, "is no sign between digits, such as \",\", \".\" or a space"),
+         text("group", language_.group, is_sign, "is no sign between digits, such as \",\", \".\" or a space"),
+         schema_.rows("texts", "a pair of texts (the English one, and its words in this language)", 2, texts,
+                      [this](std::span<const std::string> pair) { add_pair(pair); }),
+         optional(schema_.rows("errors", "words for an error (its cause, the rule, and what to do)", 3, errors,
+                               [this](std::span<const std::string> words) { add_error(words); }))},
+        {.closed = [this] {
+          if (language_.decimal == language_.group)
+            schema_.refuse("bad-language", "\"decimal\" and \"group\" are the same", "Correct one.");
+        }});
+  }
+  Language read(std::string_view bytes, const std::string& name) {
+    schema_.read(bytes, name);
     return std::move(language_);
   }
 
  private:
-  void opened(int node) override {
-    if (node == pair_node || node == error_node) pair_.clear();
+  JsonField text(std::string_view key, std::string& where, bool (*fits)(const std::string&), std::string_view wrong) {
+    return schema_.field(key, JsonNode::Shape::text,
+                         {.text = [this, key, &where, fits, wrong](const std::string& value) {
+                           if (!fits(value))
+                             schema_.refuse("bad-language", fmt::format("\"{}\" {}", key, wrong), "Correct it.");
+                           where = value;
+                         }});
   }
-  void number(int node, double value) override {
-    if (node == version_node && value != language_version)
-      refuse("wrong-version",
-             fmt::format("version {} of the format, but this program reads version {}", value, language_version),
-             "Use a newer odontoscope, or version 1.");
+  void check(std::span<const std::string> texts) const {
+    for (const std::string& text : texts)
+      if (!is_plain(text, longest_language_text))
+        schema_.refuse(
+            "bad-text",
+            fmt::format("a text is empty, has control characters, or more than {} bytes", longest_language_text),
+            "Correct it.");
   }
-  void text(int node, const std::string& value) override {
-    switch (node) {
-      case format_node:
-        if (value != language_format)
-          refuse("wrong-format", fmt::format("the format is not \"{}\"", language_format),
-                 "Check that this is the file you mean.");
-        break;
-      case tag_node:
-        if (!is_tag(value)) refuse("bad-language", "\"language\" is no tag such as \"de\" or \"pt-BR\"", "Correct it.");
-        language_.tag = value;
-        break;
-      case name_node:
-        if (!is_plain(value, 60))
-          refuse("bad-language", "\"name\" is empty or too long", "Write the language's own name for itself.");
-        language_.name = value;
-        break;
-      case decimal_node:
-      case group_node:
-        if (!is_plain(value, 4) || value.find_first_of("0123456789\n") != value.npos)
-          refuse("bad-language", "a sign between digits is none", "Write \",\" or \".\", or a space.");
-        (node == decimal_node ? language_.decimal : language_.group) = value;
-        break;
-      default:
-        if (!is_plain(value, longest_language_text))
-          refuse("bad-text",
-                 fmt::format("a text is empty, has control characters, or more than {} bytes", longest_language_text),
-                 "Correct it.");
-        pair_.push_back(value);
-    }
+  void add_error(std::span<const std::string> words) {
+    check(words);
+    if (!is_cause(words[0]))
+      schema_.refuse("bad-text", fmt::format("\"{}\" is no cause of an error", words[0]), "Correct it.");
+    if (!language_.errors.emplace(words[0], ErrorWords{words[1], words[2]}).second) refuse_repeated(words[0]);
   }
-  void closed(int node) override {
-    if (node == whole_file && language_.decimal == language_.group)
-      refuse("bad-language", "\"decimal\" and \"group\" are the same", "Correct one.");
-    if (node == error_node) add_error();
-    if (node == pair_node) add_pair();
+  void add_pair(std::span<const std::string> pair) {
+    check(pair);
+    if (names_of_places(pair[0]) != names_of_places(pair[1]))
+      schema_.refuse("bad-text",
+                     fmt::format("what stands in braces is not the same in \"{}\" and \"{}\"", pair[0], pair[1]),
+                     "Leave what stands in braces as it is; its place may change.");
+    if (!language_.texts.emplace(pair[0], pair[1]).second) refuse_repeated(pair[0]);
   }
-  void add_error() {
-    if (pair_.size() != 3 || !is_cause(pair_[0]))
-      refuse("bad-text", "words for an error are three texts: its cause, the rule, and what to do", "Correct it.");
-    if (language_.errors.size() == most_language_errors)
-      refuse("too-many-texts", fmt::format("more than {} errors", most_language_errors),
-             "Keep those that the program has.");
-    if (!language_.errors.emplace(pair_[0], ErrorWords{pair_[1], pair_[2]}).second)
-      refuse("repeated-text", fmt::format("\"{}\" comes twice", pair_[0]), "Leave one out.");
-  }
-  void add_pair() {
-    if (pair_.size() != 2)
-      refuse("bad-text", "a pair of texts has two: the English one, and its words in this language", "Correct it.");
-    if (names_of_places(pair_[0]) != names_of_places(pair_[1]))
-      refuse("bad-text", fmt::format("what stands in braces is not the same in \"{}\" and \"{}\"", pair_[0], pair_[1]),
-             "Leave what stands in braces as it is; its place may change.");
-    if (language_.texts.size() == most_language_texts)
-      refuse("too-many-texts", fmt::format("more than {} texts", most_language_texts),
-             "Keep those that the program has.");
-    if (!language_.texts.emplace(pair_[0], pair_[1]).second)
-      refuse("repeated-text", fmt::format("\"{}\" comes twice", pair_[0]), "Leave one out.");
+  [[noreturn]] void refuse_repeated(const std::string& text) const {
+    schema_.refuse("repeated-text", fmt::format("\"{}\" comes twice", text), "Leave one out.");
   }
 
   Language language_;
-  std::vector<std::string> pair_;
+  JsonSchema schema_{"a language"};
 };
 
 }  // namespace
 
-Language parse_language(std::string_view bytes, const std::string& name) {
-  JsonSource source = JsonSource::from_bytes(bytes, name);
-  return LanguageReader().read_language(source);
-}
+Language parse_language(std::string_view bytes, const std::string& name) { return LanguageSchema().read(bytes, name); }
 
 Language read_language(const std::string& file) {
   return parse_language(read_file(file, most_language_file_bytes), file);
