@@ -11,32 +11,13 @@
 #include "recon/core/polygon.h"
 #include "recon/core/portable_math.h"
 #include "recon/core/spatial_order.h"
-#include "recon/delaunay/constrained.h"
 #include "recon/delaunay/predicates.h"
 #include "recon/partition/limits.h"
+#include "recon/partition/overlay_faces.h"
 #include "recon/partition/planar_pieces.h"
 
 namespace odontoscope::partition {
 namespace {
-
-using delaunay::Kernel;
-using Members = std::uint64_t;  // bit s: inside structure s
-
-struct FaceMembers {
-  Members members = 0;
-  bool known = false;
-  Label label = void_label;
-};
-
-using OverlayFaceBase =
-    CGAL::Triangulation_face_base_with_info_2<FaceMembers, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-struct PointNumber {
-  std::uint32_t value = delaunay::none;  // of Borders::points
-};
-using OverlayVertexBase = CGAL::Triangulation_vertex_base_with_info_2<PointNumber, Kernel>;
-using OverlayStructure = CGAL::Triangulation_data_structure_2<OverlayVertexBase, OverlayFaceBase>;
-using Overlay =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, OverlayStructure, CGAL::No_constraint_intersection_tag>;
 
 /// The corner at `at` that begins at the border towards `first` goes to `taker`.
 struct CornerCut {
@@ -70,8 +51,8 @@ class Overlayer {
     if (cdt_.dimension() < 2) return result;
     label_faces();
     if (materials_.gap > 0 || materials_.sliver > 0) {
-      if (materials_.gap > 0) result.closed_gap = close_gaps();
-      if (materials_.sliver > 0) drop_slivers();
+      if (materials_.gap > 0) result.closed_gap = close_gaps(cdt_, materials_);
+      if (materials_.sliver > 0) drop_slivers(cdt_, materials_);
       if (!keep_labels()) return result;
     }
     for (std::size_t round = 0; cut_corners(round >= limits::cutting_rounds); ++round) {
@@ -184,108 +165,6 @@ class Overlayer {
       if ((members >> s & 1) != 0 && materials_.wins(static_cast<Label>(s + 1), best)) best = static_cast<Label>(s + 1);
     return best;
   }
-
-  // ---- gaps ---------------------------------------------------------------------------------------------------------
-
-  double close_gaps() {
-    std::vector<std::pair<Overlay::Face_handle, Label>> closed;
-    double area = 0;
-    for (auto face = cdt_.finite_faces_begin(); face != cdt_.finite_faces_end(); ++face) {
-      if (face->info().label != void_label) continue;
-      const Label taker = gap_taker(face);
-      if (taker == void_label) continue;
-      closed.emplace_back(face, taker);
-      area += std::abs(CGAL::area(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point()));
-    }
-    for (const auto& [face, label] : closed) face->info().label = label;
-    return area;
-  }
-
-  /// Of a void triangle that touches two structures or more: the first of them by priority to whose borders, those at
-  /// its corners, all its corners are within the gap. None: void_label.
-  Label gap_taker(Overlay::Face_handle face) const {
-    std::map<Label, std::vector<Kernel::Segment_2>> borders;  // at its corners
-    for (int i = 0; i < 3; ++i) {
-      const auto corner = face->vertex(i);
-      auto around = cdt_.incident_faces(corner), end = around;
-      do {
-        const int k = around->index(corner);
-        for (const int side : {Overlay::ccw(k), Overlay::cw(k)}) {
-          if (label(around) == void_label || label(around->neighbor(side)) == label(around)) continue;
-          borders[label(around)].emplace_back(around->vertex(Overlay::ccw(side))->point(),
-                                              around->vertex(Overlay::cw(side))->point());
-        }
-      } while (++around != end);
-    }
-    if (borders.size() < 2) return void_label;
-    Label best = void_label;
-    for (const auto& [one, segments] : borders) {
-      if (!materials_.wins(one, best)) continue;
-      bool within = true;
-      for (int i = 0; i < 3; ++i) {
-        const auto& p = face->vertex(i)->point();
-        within = within && std::any_of(segments.begin(), segments.end(), [&](const Kernel::Segment_2& segment) {
-                   return CGAL::squared_distance(p, segment) <= materials_.gap * materials_.gap;
-                 });
-      }
-      if (within) best = one;
-    }
-    return best;
-  }
-
-  // ---- slivers ------------------------------------------------------------------------------------------------------
-
-  struct Piece {
-    std::vector<Overlay::Face_handle> faces;
-    double area = 0, around = 0;
-    std::map<Label, double> beside;  // length of common border
-    bool outer = false;
-  };
-
-  /// Faces with little area for their circumference, to the neighbour with the longest common border.
-  void drop_slivers() {
-    for (auto face = cdt_.all_faces_begin(); face != cdt_.all_faces_end(); ++face) face->info().known = false;
-    std::vector<std::pair<std::vector<Overlay::Face_handle>, Label>> dropped;
-    for (auto face = cdt_.finite_faces_begin(); face != cdt_.finite_faces_end(); ++face) {
-      if (face->info().known) continue;
-      Piece piece = piece_at(face);
-      if (piece.outer || 2 * piece.area >= materials_.sliver * piece.around) continue;
-      const auto longest = std::max_element(piece.beside.begin(), piece.beside.end(),
-                                            [](const auto& p, const auto& q) { return p.second < q.second; });
-      dropped.emplace_back(std::move(piece.faces), longest->first);
-    }
-    for (const auto& [faces, label] : dropped)
-      for (const auto& face : faces) face->info().label = label;
-  }
-
-  Piece piece_at(Overlay::Face_handle start) {
-    Piece piece;
-    std::vector<Overlay::Face_handle> stack{start};
-    start->info().known = true;
-    while (!stack.empty()) {
-      const auto face = stack.back();
-      stack.pop_back();
-      piece.faces.push_back(face);
-      piece.area += std::abs(CGAL::area(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point()));
-      for (int i = 0; i < 3; ++i) {
-        const auto other = face->neighbor(i);
-        if (label(other) != label(start)) {
-          const double length = std::sqrt(
-              CGAL::squared_distance(face->vertex(Overlay::ccw(i))->point(), face->vertex(Overlay::cw(i))->point()));
-          piece.around += length;
-          piece.beside[label(other)] += length;
-        } else if (cdt_.is_infinite(other)) {
-          piece.outer = true;
-        } else if (!other->info().known) {
-          other->info().known = true;
-          stack.push_back(other);
-        }
-      }
-    }
-    return piece;
-  }
-
-  // ---- corners ------------------------------------------------------------------------------------------------------
 
   /// A border seen from one end; the face on its left is that between it and the next one counter-clockwise.
   struct Ray {
@@ -472,9 +351,7 @@ class Overlayer {
     }
   }
 
-  // ---- borders ------------------------------------------------------------------------------------------------------
-
-  Label label(Overlay::Face_handle face) const { return cdt_.is_infinite(face) ? void_label : face->info().label; }
+  Label label(Overlay::Face_handle face) const { return label_of(cdt_, face); }
 
   void collect(Borders& result) {
     std::vector<std::pair<Point2, Point2>> ends;
