@@ -1,6 +1,7 @@
 // Lessons and quizzes as a student takes them: by mouse, and by the keyboard alone.
 
 #include <chrono>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
