@@ -26,11 +26,11 @@ class Workspace;
 
 /// What a mode changes for all others while it is on.
 struct ModeEffects {
-  bool from_outside = true;      // the model is seen from outside, by a camera that anybody may move
-  bool names = true;             // may stand beside the tooth
-  bool section_handle = true;    // may be seen, and be dragged
-  bool first_hints = true;       // may be given
-  bool remember_looks = true;    // of structures, as a person changes them
+  bool from_outside = true;          // the model is seen from outside, by a camera that anybody may move
+  bool names = true;                 // may stand beside the tooth
+  bool section_handle = true;        // may be seen, and be dragged
+  bool first_hints = true;           // may be given
+  bool remember_looks = true;        // of structures, as a person changes them
   bool shadows_while_moving = true;  // ambient occlusion also in pictures that move on a slow machine
 };
 

@@ -46,11 +46,9 @@ class Index {
 };
 
 template <class A, class B>
-  requires(!std::same_as<A, B>)
-bool operator==(Index<A>, Index<B>) = delete;
+requires(!std::same_as<A, B>) bool operator==(Index<A>, Index<B>) = delete;
 template <class A, class B>
-  requires(!std::same_as<A, B>)
-auto operator<=>(Index<A>, Index<B>) = delete;
+requires(!std::same_as<A, B>) auto operator<=>(Index<A>, Index<B>) = delete;
 
 /// The indices from one to before another.
 template <class I>

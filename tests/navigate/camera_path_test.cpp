@@ -19,7 +19,8 @@ glm::dvec3 vector(const Direction& d) { return {d.x, d.y, d.z}; }
 glm::dvec3 vector(const Point3& p) { return {p.x, p.y, p.z}; }
 
 glm::dquat turn(const CameraKey& key) {
-  return glm::quat_cast(glm::dmat3(glm::cross(vector(key.view_direction), vector(key.up)), vector(key.up), -vector(key.view_direction)));
+  return glm::quat_cast(
+      glm::dmat3(glm::cross(vector(key.view_direction), vector(key.up)), vector(key.up), -vector(key.view_direction)));
 }
 
 /// As a player of glTF's LINEAR has it.
