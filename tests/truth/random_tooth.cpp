@@ -3,10 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "../support/random_numbers.h"
+#include "recon/core/embedded_file.h"
+#include "recon/core/error.h"
 #include "recon/sample/tooth_field.h"
 #include "recon/sample/tooth_table.h"
+
+namespace odontoscope {
+
+std::span<const EmbeddedFile> drawn_teeth();  // tests/truth/teeth, made part of the program
+
+}  // namespace odontoscope
 
 namespace odontoscope::test {
 namespace {
@@ -27,6 +36,15 @@ Profile changed(const Profile& profile, Change change) {
 
 Profile scaled(const Profile& profile, double factor) {
   return changed(profile, [factor](Profile::Knot k) { return Profile::Knot{k.at, k.value * factor}; });
+}
+
+/// What a drawing begins with: tables of the family's own, so that its teeth stay as they are when a sample tooth
+/// changes.
+ToothShape drawn_tooth(ToothKind kind) {
+  const std::string file = std::string(name(kind)) + ".json";
+  for (const EmbeddedFile& table : drawn_teeth())
+    if (table.name == file) return read_tooth_table(table.bytes, file);
+  throw InternalError("no table of a " + std::string(name(kind)));
 }
 
 /// Draws one tooth; whether it keeps the walls that it must is looked at afterwards.
@@ -183,7 +201,7 @@ class Drawing {
   }
 
   void draw_molar() {
-    shape_ = tooth_shape(ToothKind::molar);
+    shape_ = drawn_tooth(ToothKind::molar);
     const int roots = std::array{1, 2, 2, 2, 3, 3, 4}[static_cast<std::size_t>(random_.below(7))];
     const double furcation = random_.between(8.5, 11.8);
     if (roots == 2) {
@@ -241,7 +259,7 @@ class Drawing {
   }
 
   void draw_premolar() {
-    shape_ = tooth_shape(ToothKind::premolar);
+    shape_ = drawn_tooth(ToothKind::premolar);
     const bool two_roots = random_.chance(0.6);
     if (two_roots) {
       move_furcation(7, random_.between(4.5, 9.5), random_.between(-0.5, 0.8));
@@ -255,7 +273,7 @@ class Drawing {
   }
 
   void draw_incisor() {
-    shape_ = tooth_shape(ToothKind::incisor);
+    shape_ = drawn_tooth(ToothKind::incisor);
     bend_roots(0.4);
     if (random_.chance(0.3)) {
       shape_.canals.clear();

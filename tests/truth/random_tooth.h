@@ -1,8 +1,9 @@
 #pragma once
-// The family: teeth whose truth is known, since they are formulas. Each is one of the sample teeth (recon/sample) with
-// its anatomy varied at random: number of roots and canals, their course and width, fused roots, furcation height, pulp
+// The family: teeth whose truth is known, since they are formulas. Each is a molar, premolar or incisor with its
+// anatomy varied at random: number of roots and canals, their course and width, fused roots, furcation height, pulp
 // chamber and horns, cervical margin, cusps and fissures, apices open or closed, accessory canals from canals and into
-// the furcation; then stretched along its axes and turned.
+// the furcation; then stretched along its axes and turned. The tables that it begins with are the family's own
+// (tests/truth/teeth, the format of assets/teeth): horns and fissures sharper than the sample teeth have them.
 //
 // What is drawn keeps some thickness, so that sections can tell of it: canals at least 0.13 mm in radius, 0.25 mm of
 // dentine around them but at an open apex or where an accessory canal leaves, 0.3 mm above horns.
