@@ -42,9 +42,10 @@ Command sample_command(CLI::App& root) {
   const auto options = std::make_shared<SampleArguments>();
   add_choice(*parser, "TOOTH", options->tooth, tooth_kinds, "molar, premolar or incisor")->required()->type_name("");
   parser->add_option("-o,--output", options->output, "The contour stack to write")->required()->type_name("FILE.json");
-  parser->add_option("--slice-spacing", options->sample.slice_spacing, "Distance between slices, mm")
-      ->type_name("MM")
-      ->capture_default_str();
+  parser
+      ->add_option("--slice-spacing", options->sample.slice_spacing,
+                   "Even distance of slices, mm (default: closer where it is steep)")
+      ->type_name("MM");
   parser->add_option("--point-spacing", options->sample.point_spacing, "Largest distance of a contour's points, mm")
       ->type_name("MM")
       ->capture_default_str();
@@ -55,6 +56,8 @@ Command sample_command(CLI::App& root) {
   parser->add_flag("--filled", options->filled, "Every structure filled, over those within it")
       ->excludes(apart)
       ->excludes(dentine);
+  parser->add_flag("--open-apex", options->sample.open_apex,
+                   "Canals leave the roots through their foramen, not blind 0.5 mm above");
   parser->footer(
       "Examples:\n"
       "  odontoscope sample molar -o molar.json\n"

@@ -1,6 +1,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -190,12 +191,13 @@ std::vector<double> heights_of(const Contours& contours) {
   return heights;
 }
 
-Contours sample(const std::string& kind, double slice_spacing, double point_spacing, bool apart, bool filled_dentine,
-                bool filled) {
+Contours sample(const std::string& kind, std::optional<double> slice_spacing, double point_spacing, bool apart,
+                bool filled_dentine, bool filled, bool open_apex) {
   SampleOptions options;
   options.slice_spacing = slice_spacing;
   options.point_spacing = point_spacing;
   options.hollow_dentine = !filled_dentine;
+  options.open_apex = open_apex;
   if (apart || filled_dentine) options.walls = SampleWalls::apart;
   if (filled) options.walls = SampleWalls::filled;
   for (const ToothKind known : {ToothKind::molar, ToothKind::premolar, ToothKind::incisor}) {

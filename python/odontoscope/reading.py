@@ -303,15 +303,16 @@ def contours(source: Source, *, iso: Optional[Level] = None, label: Optional[Lev
     return made if simplify is None else made.simplify(simplify, progress)
 
 
-def sample(kind: str = "molar", *, slice_spacing: float = 0.25, point_spacing: float = 0.22, apart: bool = False,
-           filled_dentine: bool = False, filled: bool = False) -> Contours:
-    """Contours of a made-up tooth with known truth: "molar", "premolar" or "incisor" (docs/sample-teeth.md). Spacings in mm.
+def sample(kind: str = "molar", *, slice_spacing: float | None = None, point_spacing: float = 0.22, apart: bool = False,
+           filled_dentine: bool = False, filled: bool = False, open_apex: bool = False) -> Contours:
+    """Contours of a made-up tooth with known truth: "molar", "premolar" or "incisor" (docs/sample-teeth.md). Spacings in mm; without
+    ``slice_spacing`` slices are closer where the tooth changes fast along z.
 
     Neighbours share their walls, unless ``apart``: then a gap of 0.03 mm parts them. ``filled_dentine``: apart, and the pulp is no hole of it, for
-    ``together="dentine,pulp"``. ``filled``: every structure overlaps those within it.
+    ``together="dentine,pulp"``. ``filled``: every structure overlaps those within it. ``open_apex``: canals leave the roots.
 
     >>> sample("molar").structures
     ('dentine', 'pulp', 'enamel')
     """
     return Contours._of(_core.sample(str(kind), _options.optional_number(slice_spacing, "slice_spacing"), _options.optional_number(point_spacing, "point_spacing"),
-                                     bool(apart), bool(filled_dentine), bool(filled)))
+                                     bool(apart), bool(filled_dentine), bool(filled), bool(open_apex)))

@@ -343,7 +343,7 @@ class _Reader(_Options, VTKPythonAlgorithmBase):
 class SampleContours(_Reader):
     """Contours of a made-up tooth, as ``odontoscope.sample`` gives them."""
 
-    _options = {"kind": "molar", "slice_spacing": 0.25, "point_spacing": 0.22, "apart": False, "filled_dentine": False, "filled": False}
+    _options = {"kind": "molar", "slice_spacing": None, "point_spacing": 0.22, "apart": False, "filled_dentine": False, "filled": False, "open_apex": False}
 
     def _read(self) -> vtkPolyData:
         return to_polydata(_sample(**self._values))

@@ -85,6 +85,15 @@ double lowest_apex(const ToothShape& shape) {
   return low;
 }
 
+/// With canals that leave their roots. The rounded tips lose as much as leaves a rim around the foramina, and the roots
+/// keep their length.
+ToothShape opened(ToothShape shape) {
+  constexpr double rim = 0.2;  // mm
+  for (Canal& canal : shape.canals) canal.open = true;
+  for (Root& root : shape.roots) root.cut = rim;
+  return shape;
+}
+
 double at_root(const Profile& profile, const Root& root) { return profile(root.apex_z); }
 
 std::vector<Point3> canal_axis(const ToothShape& shape, const Canal& canal, double low, double high) {
@@ -118,23 +127,58 @@ double furcation(const ToothShape& shape) {
   return shape.cervical_line.z;
 }
 
+/// Heights between which sections change so fast along z that slices are set closer.
+std::vector<Zone> steep_zones(const ToothShape& shape) {
+  constexpr double apical = 0.9, edge = 0.25;  // mm: the apex with the canal's end; floor or roof of the chamber
+  std::vector<Zone> zones = shape.steep;
+  for (const Root& root : shape.roots) zones.push_back({root.apex_z, root.apex_z + apical});
+  const PulpChamber& box = shape.chamber;
+  double tip = box.high.z;
+  for (const Horn& horn : shape.horns) tip = std::max(tip, horn.tip.z + horn.tip_radius);
+  if (shape.roots.size() > 1 || shape.canals.size() > 1) zones.push_back({box.low.z - edge, box.low.z + edge});
+  zones.push_back({box.high.z - edge, tip});
+  const CervicalLine& line = shape.cervical_line;
+  zones.push_back({line.z, line.z + std::max({line.rise_mesial, line.rise_distal, line.rise_lingual}) + edge});
+  return zones;
+}
+
+/// Ascending, the first a little above the lowest apex.
+std::vector<double> slice_heights(const ToothShape& shape, const std::optional<double>& even) {
+  std::vector<double> heights;
+  const double low = lowest_apex(shape);
+  if (even) {
+    for (double i = 0.5; low + i * *even < shape.top_z; ++i) heights.push_back(low + i * *even);
+    return heights;
+  }
+  const std::vector<Zone> zones = steep_zones(shape);
+  constexpr double fine = 0.16, usual = 0.33;  // mm
+  for (double z = low + fine / 2; z < shape.top_z;) {
+    heights.push_back(z);
+    const auto reaches = [&](const Zone& zone) { return z + usual > zone.low && z < zone.high; };
+    const bool steep = std::any_of(zones.begin(), zones.end(), reaches);
+    z += steep ? fine : usual;
+  }
+  return heights;
+}
+
 }  // namespace
 
 ContourStack sample_tooth(ToothKind kind, const SampleOptions& options) {
-  require_in_range("the slice spacing", options.slice_spacing, limits::sample_least_slice_spacing,
-                   limits::sample_most_slice_spacing);
+  if (options.slice_spacing)
+    require_in_range("the slice spacing", *options.slice_spacing, limits::sample_least_slice_spacing,
+                     limits::sample_most_slice_spacing);
   require_in_range("the point spacing", options.point_spacing, limits::sample_least_point_spacing,
                    limits::sample_most_point_spacing);
-  const ToothShape shape = tooth_shape(kind);
+  const ToothShape shape = options.open_apex ? opened(tooth_shape(kind)) : tooth_shape(kind);
   Sampler sampler(shape);
   const bool apart = options.walls == SampleWalls::apart;
   const Thinning thinning{options.point_spacing, limits::sample_deviation, limits::sample_clearance,
                           limits::sample_grain};
   ContourStack stack;
   stack.source = std::string("sample ") + name(kind);
-  for (double i = 0.5; lowest_apex(shape) + i * options.slice_spacing < shape.top_z; ++i) {
+  for (const double z : slice_heights(shape, options.slice_spacing)) {
     Slice slice;
-    slice.z = lowest_apex(shape) + i * options.slice_spacing;
+    slice.z = z;
     const auto add = [&](const char* structure, const std::vector<Polygon>& loops) {
       for (Polygon& loop : thin(loops, thinning)) slice.contours.push_back({structure, std::move(loop)});
     };

@@ -15,10 +15,10 @@
 // Axes (right-handed, mm): x mesiodistal with +x mesial, y buccolingual (labiolingual) with +y buccal (labial), z along
 // the tooth, apex low at z = 0, cusps high. The cervix lies near x = y = 0.
 //
-// Not supported: wear, accessory canals, the apical foramen (canals end blind, 0.5 mm above the root's apex, so that
-// the pulp is a closed cavity of the dentine), cementum (counted as dentine).
+// Not supported: wear, accessory canals, cementum (counted as dentine).
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,8 +45,9 @@ enum class SampleWalls {
 
 struct SampleOptions {
   /// Distance of neighbouring slices, mm; the first lies half of it above the lowest apex. 0.05 to 0.35: beyond, the
-  /// ends of canals and horns would come off.
-  double slice_spacing = 0.25;
+  /// ends of canals and horns would come off. Not given: closer where the shape changes most along z (apices, floor and
+  /// roof of the chamber, cervical line, fissures and cusps), wider between.
+  std::optional<double> slice_spacing = {};
   /// Largest distance of neighbouring points of a contour, mm, 0.05 to 1. Small contours and sharp bends get closer
   /// points.
   double point_spacing = 0.22;
@@ -54,6 +55,9 @@ struct SampleOptions {
   /// Only where structures keep apart. true: the dentine has the pulp cavity as holes and is complete by itself. false:
   /// it is filled, for reconstructing dentine and pulp together (where the pulp's contours become the holes).
   bool hollow_dentine = true;
+  /// true: every canal narrows to its constriction, 0.75 mm above the apex, and leaves the root through a foramen,
+  /// where the pulp meets the outside. false: it ends blind 0.5 mm above the apex.
+  bool open_apex = false;
 };
 
 /// Contours of the structures "enamel", "dentine" and "pulp", slices by ascending z. Passes `validate`. Contours are
@@ -62,7 +66,8 @@ struct SampleOptions {
 /// but for the few points where contours of two structures cross.
 ///
 /// Topology: enamel one shell of genus 0 (a cap), dentine one of genus 0 with one cavity of genus 0 (none if not
-/// hollow), pulp one of genus 0; so they come out of `reconstruct` at the default spacing. Not promised at every other:
+/// hollow), pulp one of genus 0; with open apices the dentine is one shell without a cavity, of a genus one less than
+/// the canals are. So they come out of `reconstruct` at the default spacing. Not promised at every other:
 /// between two slices a fissure's bottom or the edge of the chamber's floor may be narrower than a slab can hold, which
 /// adds a small handle to the enamel or the cavity. The same options give the same stack, byte for byte. Throws
 /// UsageError for options out of range.

@@ -52,6 +52,32 @@ double side_thickness(const Enamel& enamel, double above) {
   return above > 0 ? enamel.side * portable::pow(above / (above + enamel.side_height), enamel.margin_exponent) : 0.0;
 }
 
+/// Depth of a fissure that is `depth` deep at a closeness of 0 to 1 to its bottom line.
+double fissure(double depth, double closeness, double round) {
+  const double crack = depth * closeness * std::sqrt(closeness);
+  return round > 0 ? (1 - round) * crack + round * depth * smooth_step(0, 1, closeness) : crack;
+}
+
+/// Half the width of a canal where it is `own` by its table: round and narrow towards the constriction, and flaring
+/// from there to the foramen.
+double narrowed(const Canal& canal, double own, double above_apex) {
+  if (canal.constriction <= 0) return own;
+  constexpr double taper_begin = 3;  // mm above the apex
+  if (above_apex < constriction_height) {
+    if (!canal.open) return canal.constriction;
+    const double beyond = 1 - std::max(above_apex, 0.0) / constriction_height;
+    return canal.constriction + (canal.foramen - canal.constriction) * beyond * std::sqrt(beyond);
+  }
+  return canal.constriction + (own - canal.constriction) * smooth_step(constriction_height, taper_begin, above_apex);
+}
+
+/// Share of its section that a root has at a height: less where its tip rounds off.
+double root_end(const Root& root, double z) {
+  return z < root.apex_z ? 0.0 : blunt_end(z - root.apex_z + root.cut, root.blunt);
+}
+
+constexpr double taper_end = 1.5;  // half widths from the middle, outside, where a taper would turn over
+
 double ridge_height(const Ridge& ridge, Point2 at) {
   double best = -far_outside;
   for (std::size_t i = 0; i + 1 < ridge.crest.size(); ++i) {
@@ -81,13 +107,16 @@ OcclusalHeights occlusal_heights(const ToothShape& shape, Point2 at) {
     if (height.z > second.z) second = height;
   }
   for (const Ridge& ridge : occlusal.ridges) join(ridge_height(ridge, at), 2 * occlusal.blend, 4 * occlusal.blend);
+  double dentine = std::min(smoother - shape.enamel.top, shape.enamel.highest_dentine);
+  constexpr double edge_fillet = 0.5;  // mm
+  for (const Ridge& edge : shape.enamel.dentine_edge)
+    dentine = smooth_min(dentine, ridge_height(edge, at), edge_fillet);
   // A fissure runs where the second highest cusp is as high as the surface: between two cusps, not across a ridge.
   // Beyond the margin of the occlusal surface the grooves of the sides take over.
   constexpr double fade_begin = -0.3, fade_end = -1.1;  // mm
   const double inside = smooth_step(fade_end, fade_begin, std::min(highest.inward, second.inward));
   const double closeness = std::clamp(1 - (outer - second.z) / occlusal.fissure_width, 0.0, 1.0);
-  return {outer - inside * occlusal.fissure_depth * closeness * std::sqrt(closeness),
-          std::min(smoother - shape.enamel.top, shape.enamel.highest_dentine)};
+  return {outer - fissure(inside * occlusal.fissure_depth, closeness, occlusal.fissure_round), dentine};
 }
 
 ToothSection::ToothSection(const ToothShape& shape, double z)
@@ -98,13 +127,16 @@ ToothSection::ToothSection(const ToothShape& shape, double z)
   for (const Furrow& furrow : sides.furrows)
     if (furrow.depth(z) != 0) grooves_.push_back({furrow.side, furrow.place(z), furrow.width, furrow.depth(z)});
   for (const Root& root : shape.roots) {
-    const double shrunk = blunt_end(z - root.apex_z, root.blunt);
+    const double shrunk = root_end(root, z);
     if (shrunk <= 0) continue;
     roots_.push_back({{root.x(z), root.y(z)},
                       shrunk * root.half_mesiodistal(z),
                       shrunk * root.half_buccolingual(z),
                       root.exponent,
-                      shrunk * root.lobe_offset(z)});
+                      shrunk * root.lobe_offset(z),
+                      shrunk * root.groove(z),
+                      root.groove_width,
+                      root.wider_buccally});
   }
   constexpr double round_end = 0.35, round_orifice = 0.6;  // mm
   for (const Canal& canal : shape.canals) {
@@ -113,13 +145,28 @@ ToothSection::ToothSection(const ToothShape& shape, double z)
         std::min(canal.open ? 1.0 : blunt_end(z - end, round_end), blunt_end(shape.canal_top_z - z, round_orifice));
     if (shrunk <= 0) continue;
     const Point3 centre = canal_centre(shape, canal, z);
-    canals_.push_back(
-        {{centre.x, centre.y}, shrunk * canal.half_mesiodistal(z), shrunk * canal.half_buccolingual(z), 2, 0});
+    const double above_apex = z - shape.roots[canal.root].apex_z;
+    canals_.push_back({{centre.x, centre.y},
+                       shrunk * narrowed(canal, canal.half_mesiodistal(z), above_apex),
+                       shrunk * narrowed(canal, canal.half_buccolingual(z), above_apex)});
   }
+  const PulpChamber& box = shape.chamber;
+  chamber_ = {{(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2},
+              (box.high.x - box.low.x) / 2,
+              (box.high.y - box.low.y) / 2,
+              box.exponent};
+  if (box.half_mesiodistal.knots().front().value > 0)
+    chamber_ = {{box.x(z), box.y(z)}, box.half_mesiodistal(z), box.half_buccolingual(z), box.exponent};
 }
 
 double ToothSection::root(const Ellipse& s, Point2 at) {
-  const double u = at.x - s.centre.x, v = at.y - s.centre.y;
+  double u = at.x - s.centre.x;
+  const double v = at.y - s.centre.y;
+  if (s.wider_buccally != 0) u /= 1 + s.wider_buccally * std::clamp(v / s.b, -taper_end, taper_end);
+  if (s.groove > 0) {
+    const double away = v / s.groove_width;
+    return superellipse(u, v, s.a, s.b, s.exponent) + s.groove * portable::exp(-away * away);
+  }
   if (s.lobe_offset <= 0) return superellipse(u, v, s.a, s.b, s.exponent);
   // The waist between the lobes is filled over the width of a lobe.
   return smooth_min(superellipse(u, v - s.lobe_offset, s.a, s.b, s.exponent),
@@ -129,7 +176,6 @@ double ToothSection::root(const Ellipse& s, Point2 at) {
 double ToothSection::crown(Point2 at) const {
   const CrownSides& sides = shape_.sides;
   const double a = crown_half_.x, b = crown_half_.y, dx = at.x - crown_middle_.x, dy = at.y - crown_middle_.y;
-  constexpr double taper_end = 1.5;  // outside the crown, where a taper would turn over
   const double u = dx / (1 + sides.wider_buccally * std::clamp(dy / b, -taper_end, taper_end));
   const double v = dy / (1 + sides.wider_mesially * std::clamp(dx / a, -taper_end, taper_end));
   const double exponent = u > 0 ? (v > 0 ? sides.exponent_mesiobuccal : sides.exponent_mesiolingual)
@@ -166,15 +212,17 @@ HardTissue ToothSection::hard_tissue(const OcclusalHeights& heights, Point2 at) 
 
 double ToothSection::chamber(Point2 at) const {
   const PulpChamber& box = shape_.chamber;
-  const double a = (box.high.x - box.low.x) / 2, b = (box.high.y - box.low.y) / 2, c = (box.high.z - box.low.z) / 2;
+  const double c = (box.high.z - box.low.z) / 2;
   const double up = std::abs(z_ - (box.low.z + box.high.z) / 2) / c;
   constexpr double far = 1.0;
   const double beyond = (up - 1) * c;
   if (beyond > far) return beyond;
   // A superellipsoid: its section is a superellipse that shrinks towards floor and roof, its distance that to the
   // nearer of wall and lid.
-  const double n = box.exponent, u = at.x - (box.low.x + box.high.x) / 2, v = at.y - (box.low.y + box.high.y) / 2;
-  return smooth_max(superellipse(u, v, a, b, n), beyond, std::min(c, shape_.chamber.rounding));
+  const double u = at.x - chamber_.centre.x;
+  double v = at.y - chamber_.centre.y;
+  if (box.wider_mesially != 0) v /= 1 + box.wider_mesially * std::clamp(u / chamber_.a, -taper_end, taper_end);
+  return smooth_max(superellipse(u, v, chamber_.a, chamber_.b, chamber_.exponent), beyond, std::min(c, box.rounding));
 }
 
 double ToothSection::pulp(Point2 at) const {
@@ -184,10 +232,11 @@ double ToothSection::pulp(Point2 at) const {
       double along = 0;
       const double away = segment_distance({at.x, at.y, z_}, tube.base, tube.tip, along);
       distance = smooth_min(distance, away - tube.base_radius - along * (tube.tip_radius - tube.base_radius),
-                            shape_.pulp_blend);
+                            tube.blend > 0 ? tube.blend : shape_.pulp_blend);
     }
   }
-  for (const Ellipse& canal : canals_) distance = smooth_min(distance, root(canal, at), shape_.pulp_blend);
+  const double orifice = shape_.orifice_blend > 0 ? shape_.orifice_blend : shape_.pulp_blend;
+  for (const Ellipse& canal : canals_) distance = smooth_min(distance, root(canal, at), orifice);
   return distance;
 }
 
@@ -202,7 +251,7 @@ double cervical_height(const ToothShape& shape, Point2 at) {
 
 Point3 canal_centre(const ToothShape& shape, const Canal& canal, double z) {
   const Root& root = shape.roots[canal.root];
-  const double shrunk = blunt_end(z - root.apex_z, root.blunt);
+  const double shrunk = root_end(root, z);
   return {root.x(z) + canal.shift_x(z), root.y(z) + canal.lobe * shrunk * root.lobe_offset(z) + canal.shift_y(z), z};
 }
 

@@ -36,6 +36,7 @@ class ToothSection {
     Point2 centre;
     double a = 0, b = 0, exponent = 2;
     double lobe_offset = 0;
+    double groove = 0, groove_width = 1, wider_buccally = 0;
   };
   struct Groove {
     Side side = Side::buccal;
@@ -53,6 +54,7 @@ class ToothSection {
   Point2 crown_middle_, crown_half_;
   std::vector<Groove> grooves_;
   std::vector<Ellipse> roots_, canals_;
+  Ellipse chamber_;
 };
 
 /// Where the cervical line lies in the direction of `at` from the tooth's axis.

@@ -23,6 +23,11 @@ struct Furrow {
   Profile depth;
 };
 
+/// A range of heights.
+struct Zone {
+  double low = 0, high = 0;
+};
+
 /// Horizontal sections of the crown: superellipses, in trapezoid taper, given by how far they reach to each side.
 struct CrownSides {
   Profile mesial, distal, buccal, lingual;  // x, x, y, y of the outermost points, before taper
@@ -54,6 +59,7 @@ struct Occlusal {
   std::vector<Cusp> cusps;
   std::vector<Ridge> ridges;
   double fissure_depth = 0, fissure_width = 0.3;  // the width is counted in height above the fissure's bottom
+  double fissure_round = 0;                       // 0: a crack with a sharp bottom, 1: a groove with a round one
   double supplemental_depth = 0;                  // of the shallow grooves on both sides of each triangular ridge
   double blend = 0.2;                             // over which neighbouring cusps flow together, mm of height
   double edge_blend = 0.6;                        // over which the top rounds into the sides
@@ -70,6 +76,8 @@ struct Enamel {
   double top = 1.6;        // vertical thickness under cusps and fossae
   double highest_dentine =
       1e3;  // z at which the dentine is cut off flat: an edge too thin to be followed from slice to slice
+  // Crests that the dentine keeps below besides: the edge of an incisor's dentine with its mamelons.
+  std::vector<Ridge> dentine_edge = {};
   // Below 1: a margin blunter than a knife's edge, so that its sections in neighbouring slices overlap.
   double margin_exponent = 0.7;
   // Height above the cervical line at which it starts: where it is thick enough for the sampling grid.
@@ -87,6 +95,10 @@ struct Root {
   Profile half_buccolingual;  // of the root, or of each lobe
   Profile lobe_offset;        // 0: one lobe
   double exponent = 2.2;
+  Profile groove = {};  // depth of the hollows along its mesial and distal side
+  double groove_width = 1;
+  double wider_buccally = 0;  // growth of the mesiodistal width from the middle to the buccal side
+  double cut = 0;             // so much of the rounded tip is missing below the apex: an open one's rim
 };
 
 struct Canal {
@@ -95,6 +107,8 @@ struct Canal {
   double lobe = 0;  // +1 in the buccal lobe, -1 in the lingual, 0 on the axis
   Profile half_mesiodistal, half_buccolingual;
   bool open = false;                   // runs out of the apex, else ends apical_stop above it
+  double constriction = 0;             // radius where it is narrowest, just above the apex; 0: as the widths have it
+  double foramen = 0;                  // radius to which it widens from there to the apex
   Profile shift_x = {}, shift_y = {};  // of its centre from where root and lobe put it
 };
 
@@ -103,12 +117,16 @@ struct Horn {
   std::string name;
   Point3 base, tip;
   double base_radius = 0.6, tip_radius = 0.2;
+  double blend = 0;  // width of its fillet with the chamber; 0: pulp_blend
 };
 
 struct PulpChamber {
   Point3 low, high;       // corners of the box that it fills
   double exponent = 2.6;  // of its horizontal section
   double rounding = 0.8;  // of the edges of floor and roof
+  // Where the walls are not upright: the middle and half the width of its section, instead of the box's.
+  Profile x = {}, y = {}, half_mesiodistal = {}, half_buccolingual = {};
+  double wider_mesially = 0;  // growth of the buccolingual width from the middle to the mesial side
 };
 
 struct ToothShape {
@@ -116,6 +134,7 @@ struct ToothShape {
   std::string tooth, fdi;
   Proportions proportions;
   double top_z = 0;
+  std::vector<Zone> steep;  // besides those that steep_zones() knows: fissures, cusps, edges
   CervicalLine cervical_line;
   CrownSides sides;
   Occlusal occlusal;
@@ -129,10 +148,11 @@ struct ToothShape {
   std::vector<Horn> accessory_canals;  // from the pulp out of the root's side or its furcation
   double canal_top_z = 0;              // inside the chamber
   double pulp_blend = 0.4;             // width of the fillets between chamber, horns and canals
+  double orifice_blend = 0;            // of those between chamber and canals; 0: pulp_blend
   std::vector<NamedPoint> landmarks;   // reported as cusps if there are none
 };
 
-/// The canals' blind ends lie so far above their root's apex.
-inline constexpr double apical_stop = 0.5;
+/// The canals' blind ends lie so far above their root's apex, mm, and an open one's constriction.
+inline constexpr double apical_stop = 0.5, constriction_height = 0.75;
 
 }  // namespace odontoscope::sample

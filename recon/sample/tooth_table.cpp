@@ -167,6 +167,16 @@ class Schema {
                       knot)};
   }
 
+  int zones() {
+    const int zone = numbers("a range", 2, [this] {
+      if (!(numbers_[0] < numbers_[1])) refuse("bad-value", "a range of heights does not ascend", "Write [low, high].");
+      if (tooth.steep.size() == limits::table_rows)
+        refuse("too-many", fmt::format("more than {} ranges", limits::table_rows), "Leave some out.");
+      tooth.steep.push_back({numbers_[0], numbers_[1]});
+    });
+    return node(Shape::array, "\"steep\"", {}, zone);
+  }
+
   double in_range(double value, std::string_view what) const {
     if (std::abs(value) > limits::table_number)
       refuse("bad-value", fmt::format("{} is {}", what, value),
@@ -178,6 +188,7 @@ class Schema {
   Field occlusal();
   Field enamel();
   Field roots();
+  Field chamber();
   Field horns();
   Field canals();
 
@@ -251,6 +262,8 @@ Field Schema::occlusal() {
                                  "fissure_depth", [this]() -> auto& { return tooth.occlusal.fissure_depth; }),
                              number(
                                  "fissure_width", [this]() -> auto& { return tooth.occlusal.fissure_width; }),
+                             optional(number(
+                                 "fissure_round", [this]() -> auto& { return tooth.occlusal.fissure_round; })),
                              number(
                                  "supplemental_depth", [this]() -> auto& { return tooth.occlusal.supplemental_depth; }),
                              number(
@@ -260,18 +273,27 @@ Field Schema::occlusal() {
 }
 
 Field Schema::enamel() {
-  return object("enamel", {number(
-                               "side", [this]() -> auto& { return tooth.enamel.side; }),
-                           number(
-                               "side_height", [this]() -> auto& { return tooth.enamel.side_height; }),
-                           number(
-                               "top", [this]() -> auto& { return tooth.enamel.top; }),
-                           optional(number(
-                               "highest_dentine", [this]() -> auto& { return tooth.enamel.highest_dentine; })),
-                           optional(number(
-                               "margin_exponent", [this]() -> auto& { return tooth.enamel.margin_exponent; })),
-                           optional(number(
-                               "margin_height", [this]() -> auto& { return tooth.enamel.margin_height; }))});
+  const auto edge = [this]() -> Ridge& { return tooth.enamel.dentine_edge.back(); };
+  return object("enamel",
+                {number(
+                     "side", [this]() -> auto& { return tooth.enamel.side; }),
+                 number(
+                     "side_height", [this]() -> auto& { return tooth.enamel.side_height; }),
+                 number(
+                     "top", [this]() -> auto& { return tooth.enamel.top; }),
+                 optional(number(
+                     "highest_dentine", [this]() -> auto& { return tooth.enamel.highest_dentine; })),
+                 optional(list("dentine_edge", "a crest", [this]() -> auto& { return tooth.enamel.dentine_edge; },
+                               {polyline(
+                                    "crest", [edge]() -> auto& { return edge().crest; }),
+                                number(
+                                    "slope", [edge]() -> auto& { return edge().slope; }),
+                                number(
+                                    "rounding", [edge]() -> auto& { return edge().rounding; })})),
+                 optional(number(
+                     "margin_exponent", [this]() -> auto& { return tooth.enamel.margin_exponent; })),
+                 optional(number(
+                     "margin_height", [this]() -> auto& { return tooth.enamel.margin_height; }))});
 }
 
 Field Schema::roots() {
@@ -294,7 +316,35 @@ Field Schema::roots() {
                profile(
                    "half_buccolingual", [root]() -> auto& { return root().half_buccolingual; }),
                profile(
-                   "lobe_offset", [root]() -> auto& { return root().lobe_offset; })});
+                   "lobe_offset", [root]() -> auto& { return root().lobe_offset; }),
+               optional(profile(
+                   "groove", [root]() -> auto& { return root().groove; })),
+               optional(number(
+                   "groove_width", [root]() -> auto& { return root().groove_width; })),
+               optional(number(
+                   "wider_buccally", [root]() -> auto& { return root().wider_buccally; }))});
+}
+
+Field Schema::chamber() {
+  const auto box = [this]() -> PulpChamber& { return tooth.chamber; };
+  return object("chamber", {point3(
+                                "low", [box]() -> auto& { return box().low; }),
+                            point3(
+                                "high", [box]() -> auto& { return box().high; }),
+                            number(
+                                "exponent", [box]() -> auto& { return box().exponent; }),
+                            number(
+                                "rounding", [box]() -> auto& { return box().rounding; }),
+                            optional(profile(
+                                "x", [box]() -> auto& { return box().x; })),
+                            optional(profile(
+                                "y", [box]() -> auto& { return box().y; })),
+                            optional(profile(
+                                "half_mesiodistal", [box]() -> auto& { return box().half_mesiodistal; })),
+                            optional(profile(
+                                "half_buccolingual", [box]() -> auto& { return box().half_buccolingual; })),
+                            optional(number(
+                                "wider_mesially", [box]() -> auto& { return box().wider_mesially; }))});
 }
 
 Field Schema::horns() {
@@ -309,7 +359,9 @@ Field Schema::horns() {
                number(
                    "base_radius", [horn]() -> auto& { return horn().base_radius; }),
                number(
-                   "tip_radius", [horn]() -> auto& { return horn().tip_radius; })});
+                   "tip_radius", [horn]() -> auto& { return horn().tip_radius; }),
+               optional(number(
+                   "blend", [horn]() -> auto& { return horn().blend; }))});
 }
 
 Field Schema::canals() {
@@ -329,7 +381,15 @@ Field Schema::canals() {
                profile(
                    "half_mesiodistal", [canal]() -> auto& { return canal().half_mesiodistal; }),
                profile(
-                   "half_buccolingual", [canal]() -> auto& { return canal().half_buccolingual; })});
+                   "half_buccolingual", [canal]() -> auto& { return canal().half_buccolingual; }),
+               optional(number(
+                   "constriction", [canal]() -> auto& { return canal().constriction; })),
+               optional(number(
+                   "foramen", [canal]() -> auto& { return canal().foramen; })),
+               optional(profile(
+                   "shift_x", [canal]() -> auto& { return canal().shift_x; })),
+               optional(profile(
+                   "shift_y", [canal]() -> auto& { return canal().shift_y; }))});
 }
 
 Schema::Schema() {
@@ -373,6 +433,7 @@ Schema::Schema() {
                    "cervical_curve_distal", [this]() -> auto& { return tooth.proportions.cervical_curve_distal; })}),
        number(
            "top_z", [this]() -> auto& { return tooth.top_z; }),
+       {"steep", zones(), false},
        object("cervical_line", {number(
                                     "z", [this]() -> auto& { return tooth.cervical_line.z; }),
                                 number(
@@ -391,20 +452,15 @@ Schema::Schema() {
            "trunk_low_z", [this]() -> auto& { return tooth.trunk_low_z; }),
        number(
            "trunk_high_z", [this]() -> auto& { return tooth.trunk_high_z; }),
-       object("chamber", {point3(
-                              "low", [this]() -> auto& { return tooth.chamber.low; }),
-                          point3(
-                              "high", [this]() -> auto& { return tooth.chamber.high; }),
-                          number(
-                              "exponent", [this]() -> auto& { return tooth.chamber.exponent; }),
-                          number(
-                              "rounding", [this]() -> auto& { return tooth.chamber.rounding; })}),
+       chamber(),
        horns(),
        canals(),
        number(
            "canal_top_z", [this]() -> auto& { return tooth.canal_top_z; }),
        number(
            "pulp_blend", [this]() -> auto& { return tooth.pulp_blend; }),
+       optional(number(
+           "orifice_blend", [this]() -> auto& { return tooth.orifice_blend; })),
        optional(list("landmarks", "a landmark", [this]() -> auto& { return tooth.landmarks; },
                      {text(
                           "name", [mark]() -> auto& { return mark().name; }),

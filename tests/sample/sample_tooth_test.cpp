@@ -12,17 +12,20 @@
 #include "recon/core/limits.h"
 #include "recon/input/validate.h"
 #include "recon/sample/tooth_number.h"
+#include "tests/sample/made_once.h"
 #include "tests/sample/stack_queries.h"
 
 namespace odontoscope::test {
 namespace {
+
+constexpr double slice_apart = 0.2;  // mm; slices are no farther apart at cervix, horns, cusps and apices
 
 const ToothKind kinds[] = {ToothKind::molar, ToothKind::premolar, ToothKind::incisor};
 
 class SampleTooth : public testing::TestWithParam<ToothKind> {
  protected:
   SampleFacts facts = sample_facts(GetParam());
-  ContourStack stack = sample_tooth(GetParam());
+  const ContourStack& stack = made_once(GetParam());
 };
 INSTANTIATE_TEST_SUITE_P(Kinds, SampleTooth, testing::ValuesIn(kinds),
                          [](const auto& kind) { return name(kind.param); });
@@ -45,18 +48,47 @@ TEST_P(SampleTooth, IsValidWithAnyOptions) {
   EXPECT_NO_THROW(validate(stack));
   for (const SampleOptions& options : {SampleOptions{0.35, 0.05}, SampleOptions{0.13, 1.0, SampleWalls::apart, false},
                                        SampleOptions{0.13, 1.0, SampleWalls::filled}})
-    EXPECT_NO_THROW(validate(sample_tooth(GetParam(), options))) << options.slice_spacing;
+    EXPECT_NO_THROW(validate(sample_tooth(GetParam(), options))) << *options.slice_spacing;
 }
 
-TEST_P(SampleTooth, HasThreeStructuresOnAscendingEvenlySpacedSlices) {
-  EXPECT_EQ(structures_of(stack).size(), 3u);
+TEST_P(SampleTooth, HasThreeStructuresOnAscendingEvenlySpacedSlicesIfAsked) {
+  constexpr double spacing = 0.25;
+  const ContourStack& even = made_once(GetParam(), spacing);
+  EXPECT_EQ(structures_of(even).size(), 3u);
   for (const char* structure : {"enamel", "dentine", "pulp"})
-    EXPECT_NE(std::count_if(stack.slices.begin(), stack.slices.end(),
-                            [&](const Slice& s) { return count(s, structure) > 0; }),
-              0);
+    EXPECT_NE(
+        std::count_if(even.slices.begin(), even.slices.end(), [&](const Slice& s) { return count(s, structure) > 0; }),
+        0);
+  for (std::size_t i = 1; i < even.slices.size(); ++i)
+    EXPECT_NEAR(even.slices[i].z - even.slices[i - 1].z, spacing, 1e-9);
+  EXPECT_NEAR(static_cast<double>(even.slices.size()), facts.top_z / spacing, 1);
+}
+
+/// Widest distance of neighbouring slices that touch a range of heights.
+double widest_gap(const ContourStack& stack, double low, double high) {
+  double widest = 0;
   for (std::size_t i = 1; i < stack.slices.size(); ++i)
-    EXPECT_NEAR(stack.slices[i].z - stack.slices[i - 1].z, SampleOptions{}.slice_spacing, 1e-9);
-  EXPECT_NEAR(static_cast<double>(stack.slices.size()), facts.top_z / SampleOptions{}.slice_spacing, 1);
+    if (stack.slices[i].z > low && stack.slices[i - 1].z < high)
+      widest = std::max(widest, stack.slices[i].z - stack.slices[i - 1].z);
+  return widest;
+}
+
+// What a slice apart would show as a step: apices, the chamber's floor and roof, the cervical line, cusps and edge.
+TEST_P(SampleTooth, SlicesAreCloserWhereTheShapeIsSteep) {
+  constexpr double close = 0.2, usual = 0.25;
+  for (const NamedPoint& root : facts.roots) EXPECT_LT(widest_gap(stack, root.at.z + 0.1, root.at.z + 0.6), close);
+  for (const NamedPoint& horn : facts.horns) EXPECT_LT(widest_gap(stack, horn.at.z - 0.4, horn.at.z), close);
+  EXPECT_LT(widest_gap(stack, facts.cervix_z, facts.cervix_z + facts.proportions.cervical_curve_mesial), close);
+  for (const NamedPoint& cusp : facts.cusps) EXPECT_LT(widest_gap(stack, cusp.at.z - 0.3, cusp.at.z), close);
+  if (facts.roots.size() > 1) {
+    EXPECT_LT(widest_gap(stack, facts.chamber_low_z - 0.2, facts.chamber_low_z + 0.2), close);
+  }
+  std::size_t points = 0, even_points = 0;
+  for (const Slice& slice : stack.slices)
+    for (const Contour& contour : slice.contours) points += contour.points.size();
+  for (const Slice& slice : made_once(GetParam(), usual).slices)
+    for (const Contour& contour : slice.contours) even_points += contour.points.size();
+  EXPECT_LT(static_cast<double>(points), 1.4 * static_cast<double>(even_points));
 }
 
 TEST_P(SampleTooth, OuterContoursRunCounterClockwiseAndHolesClockwise) {
@@ -85,7 +117,7 @@ TEST_P(SampleTooth, PointsAreAsDenseAsAsked) {
       EXPECT_GE(contour.points.size(), 8u);
       if (length > 15) {
         EXPECT_GE(contour.points.size(), 70u);
-        EXPECT_LE(contour.points.size(), 300u);
+        EXPECT_LE(static_cast<double>(contour.points.size()), 2 * length / options.point_spacing);
       }
     }
   }
@@ -96,7 +128,7 @@ TEST_P(SampleTooth, KeepsToWheelersProportions) {
   constexpr double tolerance = 0.15;  // mm
   const Proportions& wheeler = facts.proportions;
   const Extents whole = extents(stack, 0, facts.top_z), crown = extents(stack, facts.cervix_z, facts.top_z);
-  const double spacing = SampleOptions{}.slice_spacing;
+  const double spacing = slice_apart;
   const Extents neck = extents(stack, facts.cervix_z - spacing, facts.cervix_z + spacing);
   EXPECT_NEAR(crown.x.size(), wheeler.crown_mesiodistal, tolerance);
   EXPECT_NEAR(crown.y.size(), wheeler.crown_buccolingual, tolerance);
@@ -119,7 +151,7 @@ double enamel_begins(const ContourStack& stack, Point2 side) {
 }
 
 TEST_P(SampleTooth, CervicalLineRisesAsWheelerSays) {
-  const double tolerance = 0.3 + SampleOptions{}.slice_spacing, buccal = enamel_begins(stack, {0, 1});
+  const double tolerance = 0.3 + slice_apart, buccal = enamel_begins(stack, {0, 1});
   EXPECT_NEAR(buccal, facts.cervix_z, tolerance);
   EXPECT_NEAR(enamel_begins(stack, {1, 0}) - buccal, facts.proportions.cervical_curve_mesial, tolerance);
   EXPECT_NEAR(enamel_begins(stack, {-1, 0}) - buccal, facts.proportions.cervical_curve_distal, tolerance);
@@ -139,13 +171,13 @@ TEST_P(SampleTooth, CanalsLieInsideThePulpAllTheirWay) {
 }
 
 TEST_P(SampleTooth, HornsEndInThePulpAndCuspsInTheEnamel) {
-  const double spacing = SampleOptions{}.slice_spacing;
+  const double spacing = slice_apart;
   for (const NamedPoint& horn : facts.horns) {
     EXPECT_TRUE(in_region({horn.at.x, horn.at.y}, slice_at(stack, horn.at.z - spacing), "pulp")) << horn.name;
     EXPECT_FALSE(in_region({horn.at.x, horn.at.y}, slice_at(stack, horn.at.z + spacing), "pulp")) << horn.name;
   }
   for (const NamedPoint& cusp : facts.cusps) {
-    EXPECT_TRUE(in_region({cusp.at.x, cusp.at.y}, slice_at(stack, cusp.at.z - 1.5 * spacing), "enamel")) << cusp.name;
+    EXPECT_TRUE(in_region({cusp.at.x, cusp.at.y}, slice_at(stack, cusp.at.z - 2 * spacing), "enamel")) << cusp.name;
     if (cusp.at.z + spacing > stack.slices.back().z) continue;
     EXPECT_FALSE(in_region({cusp.at.x, cusp.at.y}, slice_at(stack, cusp.at.z + spacing), "enamel")) << cusp.name;
   }

@@ -61,7 +61,8 @@ TEST(ToothTable, HoldsWhatItSays) {
   EXPECT_EQ(molar.canals[2].root, 1u);
   EXPECT_EQ(molar.chamber.high.z, 15.6);
   EXPECT_EQ(tooth_shape(ToothKind::incisor).landmarks.size(), 2u);
-  EXPECT_EQ(tooth_shape(ToothKind::incisor).enamel.highest_dentine, 21.3);
+  EXPECT_EQ(tooth_shape(ToothKind::incisor).enamel.dentine_edge.size(), 1u);
+  EXPECT_EQ(molar.steep.front().high, 21.5);
 }
 
 TEST(ToothTable, IsRefusedLikeAnyInput) {
@@ -77,6 +78,7 @@ TEST(ToothTable, IsRefusedLikeAnyInput) {
   EXPECT_EQ(cause_of(changed("\"kind\": \"molar\"", "\"kind\": \"canine\"")), "bad-value");
   EXPECT_EQ(cause_of(changed("\"root\": 1", "\"root\": 2")), "bad-value");
   EXPECT_EQ(cause_of(changed("[2.6, 2.75, 21.1]", "[2.6, 2.75]")), "bad-value");
+  EXPECT_EQ(cause_of(changed("[[18.4, 21.5]]", "[[21.5, 18.4]]")), "bad-value");
   EXPECT_EQ(cause_of(changed("[[12, 4.35], [14, 4.5]", "[[14, 4.35], [14, 4.5]")), "bad-profile");
   EXPECT_EQ(cause_of(changed("[[0, -0.1], [14, 0]]", "[]")), "bad-profile");
   std::string many;

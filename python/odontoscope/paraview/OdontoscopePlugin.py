@@ -115,11 +115,12 @@ _READING = {
 }
 _SAMPLE = {
     "kind": _choice("molar", "Which tooth.", "molar", "premolar", "incisor"),
-    "slice_spacing": _Property("Double", 0.25, "From slice to slice, mm", float),
+    "slice_spacing": _Property("Double", 0, "From slice to slice, mm; 0: closer where it is steep", lambda step: step or None),
     "point_spacing": _Property("Double", 0.22, "From point to point along contours, mm", float),
     "apart": _tick("A gap of 0.03 mm between structures; without it neighbours share their walls"),
     "filled_dentine": _tick("Apart, and the pulp is no hole of the dentine, for together: dentine,pulp"),
     "filled": _tick("Every structure overlaps those within it, for partition"),
+    "open_apex": _tick("Canals leave the roots through their foramen"),
 }
 
 
