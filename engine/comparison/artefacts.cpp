@@ -6,11 +6,14 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 #include <map>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
+#include "engine/navigate/screen.h"
 #include "engine/scene/glm_vector.h"
 #include "recon/mesh/faulty_edges.h"
 
@@ -167,6 +170,42 @@ Camera camera_at(const ComparisonArtefact& artefact, double spacing_mm, const Ca
   // Inside a canal: as far back as its wall lets one.
   look_from(roomiest, 0.5 * spacing_mm + 0.9 * largest_clearance);
   return camera;
+}
+
+std::size_t wall_around(const ComparisonArtefact& artefact, double spacing_mm, const Pickable& pickable,
+                        const Scene& scene) {
+  constexpr int places = 8;
+  constexpr double aside = 4, in_depth = 4;  // grid spacings
+  const Camera camera = camera_at(artefact, spacing_mm, scene.camera, pickable, scene);
+  const CameraAxes axes = axes_of(camera);
+  const double distance = glm::distance(camera.position, artefact.at);
+  std::size_t met = 0;
+  for (int i = 0; i < places; ++i) {
+    const double turn = 2 * glm::pi<double>() * i / places;
+    const glm::dvec3 place =
+        artefact.at + aside * spacing_mm * (std::cos(turn) * axes.right + std::sin(turn) * axes.up);
+    const auto hit = pick(pickable, scene, {camera.position, glm::normalize(place - camera.position)});
+    met += hit && std::abs(hit->distance_mm - distance) < in_depth * spacing_mm;
+  }
+  return met;
+}
+
+std::vector<ComparisonArtefact> cracks_on_walls_first(std::vector<ComparisonArtefact> artefacts, double spacing_mm,
+                                                      const Pickable& pickable, Scene scene) {
+  constexpr std::size_t most = 100;
+  struct Placed {
+    ComparisonArtefact artefact;
+    std::size_t wall = 0;
+  };
+  std::vector<Placed> cracks;
+  for (const ComparisonArtefact& artefact : artefacts) {
+    if (cracks.size() == most || artefact.kind != DefectKind::crack) break;
+    for (Look& look : scene.looks) look.visible = look.structure == artefact.structure;
+    cracks.push_back({artefact, wall_around(artefact, spacing_mm, pickable, scene)});
+  }
+  std::stable_sort(cracks.begin(), cracks.end(), [](const Placed& a, const Placed& b) { return a.wall > b.wall; });
+  for (std::size_t i = 0; i < cracks.size(); ++i) artefacts[i] = std::move(cracks[i].artefact);
+  return artefacts;
 }
 
 }  // namespace odontoscope

@@ -36,6 +36,16 @@ std::vector<ComparisonArtefact> artefacts_of(const std::string& structure, const
 /// apart.
 std::vector<ComparisonArtefact> in_telling_order(std::vector<ComparisonArtefact> artefacts);
 
+/// Of eight places around the artefact, as camera_at() shows it, how many lie on the surface that it is in: few at an
+/// edge, or in a canal of a few cells.
+std::size_t wall_around(const ComparisonArtefact& artefact, double spacing_mm, const Pickable& pickable,
+                        const Scene& scene);
+
+/// In order, but that cracks with more of a wall around them come before those with less. Only so many are looked at
+/// (the first 100), and the others follow.
+std::vector<ComparisonArtefact> cracks_on_walls_first(std::vector<ComparisonArtefact> artefacts, double spacing_mm,
+                                                      const Pickable& pickable, Scene scene);
+
 /// For a person: what is broken, where and why. With a reason it names the table, the two cells and their cases.
 std::string in_words(const ComparisonArtefact& artefact, CaseTable table);
 

@@ -108,6 +108,8 @@ std::shared_ptr<const ComparisonResult> DbPipeline::look_at(const ComparisonOpti
   progress.check();
   result->faulty_edges = faulty_edges(surfaces, result->model);
   result->pickable = std::make_shared<const Pickable>(result->model, progress);
+  result->artefacts = cracks_on_walls_first(std::move(result->artefacts), result->spacing_mm, *result->pickable,
+                                            usual_scene(result->model, 1));
   return result;
 }
 

@@ -70,10 +70,10 @@ struct ComparisonResult {
   std::vector<LineSet> faulty_edges;
   std::shared_ptr<const Pickable> pickable;  // never null
   std::vector<ComparisonStructure> structures;
-  std::vector<ComparisonArtefact>
-      artefacts;          // cracks first, then non-manifold edges, then misoriented ones far apart from each other
-  double spacing_mm = 1;  // of the grid, the larger of x and y
-  std::vector<ComparisonStage> ran;  // that this run had to do; empty if nothing had changed
+  std::vector<ComparisonArtefact> artefacts;  // cracks first, those on broad walls before others, then non-manifold
+                                              // edges, then misoriented ones far apart from each other
+  double spacing_mm = 1;                      // of the grid, the larger of x and y
+  std::vector<ComparisonStage> ran;           // that this run had to do; empty if nothing had changed
 
   std::size_t triangles() const;
   std::size_t cracks() const;  // boundary edges
