@@ -120,7 +120,7 @@ test('answers are right in German, with a decimal comma, and marks have the name
       lesson.go(i);
       const {question} = lesson.note;
       if (question.kind !== 'number') { lesson.answer(given[question.kind](question)); continue; }
-      document.querySelector('.question input').value = question.unit === 'mm' ? '12,5' : String(question.answer);
+      document.querySelector('.question input').value = question.unit === 'mm' ? '12,2' : String(question.answer);
       document.querySelector('.question form').requestSubmit();
     }
     lesson.go(lesson.count);
@@ -130,7 +130,7 @@ test('answers are right in German, with a decimal comma, and marks have the name
   assert.ok(rows.given.includes('enamel') && rows.given.includes('mesiobuccal canal'), rows.given.join());
   assert.match(rows.text, /10 von 10 richtig/);
   assert.match(rows.text, /Ihre Antwort: mesiobukkaler Kanal\./);
-  assert.match(rows.text, /12,5 mm/);
+  assert.match(rows.text, /12,2 mm/);
   await close();
 });
 
