@@ -152,16 +152,27 @@ JsonField JsonSchema::map(std::string_view key, std::string_view one, std::funct
   return field(key, Shape::map, {.text = std::move(name)}, element);
 }
 
-JsonField JsonSchema::numbers(std::string_view key, std::size_t count,
-                              std::function<void(std::span<const double>)> take) {
+int JsonSchema::number_list(std::string_view what, std::size_t count, std::function<void(std::span<const double>)> take,
+                            std::string_view cause) {
   const int element = node(Shape::number, "a number", {.number = [this, count](double value) {
                              if (numbers_.size() <= count) numbers_.push_back(value);
                            }});
-  const auto closed = [this, key, count, take = std::move(take)] {
+  const auto closed = [this, what = std::string(what), count, take = std::move(take), cause] {
     if (numbers_.size() == count) return take(numbers_);
-    fault("wrong-type", fmt::format("\"{}\" must be a list of {} numbers", key, count), "Correct the list");
+    fault(cause, fmt::format("{} must be a list of {} numbers", what, count), "Correct the list");
   };
-  return field(key, Shape::array, {.opened = [this] { numbers_.clear(); }, .closed = closed}, element);
+  return node(Shape::array, what, {.opened = [this] { numbers_.clear(); }, .closed = closed}, element);
+}
+
+JsonField JsonSchema::numbers(std::string_view key, std::size_t count,
+                              std::function<void(std::span<const double>)> take, std::string_view cause) {
+  return {key, number_list(fmt::format("\"{}\"", key), count, std::move(take), cause)};
+}
+
+JsonField JsonSchema::number_rows(std::string_view key, std::string_view one, std::size_t count,
+                                  std::function<void(std::span<const double>)> take, Effect whole,
+                                  std::string_view cause) {
+  return field(key, Shape::array, std::move(whole), number_list(one, count, std::move(take), cause));
 }
 
 bool JsonSchema::in_range(std::string_view key, double value, const JsonRange& range) {

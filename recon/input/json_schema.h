@@ -120,8 +120,13 @@ class JsonSchema final : private StrictJson {
   /// Objects by names that are anyone's: `name` takes each before its object begins.
   JsonField map(std::string_view key, std::string_view one, std::function<void(const std::string&)> name,
                 const Fields& fields, Effect of_one);
-  /// So many numbers, handed over together.
-  JsonField numbers(std::string_view key, std::size_t count, std::function<void(std::span<const double>)> take);
+  /// So many numbers, handed over together; `cause` for another number of them.
+  JsonField numbers(std::string_view key, std::size_t count, std::function<void(std::span<const double>)> take,
+                    std::string_view cause = "wrong-type");
+  /// Lists of so many numbers, each of them `one` and handed over likewise.
+  JsonField number_rows(std::string_view key, std::string_view one, std::size_t count,
+                        std::function<void(std::span<const double>)> take, Effect whole = {},
+                        std::string_view cause = "wrong-type");
 
   template <class Where>
   JsonField number(std::string_view key, Where&& where, JsonRange range = {});
@@ -147,13 +152,7 @@ class JsonSchema final : private StrictJson {
     return numbers(key, 3, [get = place_of(where)](std::span<const double> xyz) { get() = {xyz[0], xyz[1], xyz[2]}; });
   }
 
-  using StrictJson::complaint;
-  // For effects, while a file is read.
-  using StrictJson::fault;
-  using StrictJson::place;
-  using StrictJson::refuse;
-
- private:
+  /// A function that returns where a value goes: `where` itself if it is one.
   template <class Where>
   static auto place_of(Where& where) {
     if constexpr (std::is_invocable_v<const Where&>)
@@ -161,7 +160,17 @@ class JsonSchema final : private StrictJson {
     else
       return [&where]() -> Where& { return where; };
   }
+
+  using StrictJson::complaint;
+  // For effects, while a file is read.
+  using StrictJson::fault;
+  using StrictJson::place;
+  using StrictJson::refuse;
+
+ private:
   int node(Shape shape, std::string_view what, Effect effect = {}, int element = -1);
+  int number_list(std::string_view what, std::size_t count, std::function<void(std::span<const double>)> take,
+                  std::string_view cause);
   void take_fields(int object, const Fields& fields);
   JsonField counted(std::string_view key, JsonLength length, int element, Effect whole);
   void check_version(double value, JsonVersions versions) const;
