@@ -73,12 +73,12 @@ struct LegendNumber {
 /// At the lower left, on paper of its own.
 template <class BarOf>
 void draw_bar(const std::string& title, const std::vector<LegendNumber>& numbers, BarOf bar_of, Image& image) {
-  constexpr ShownColour paper{255, 255, 255}, ink{30, 34, 40};
+  constexpr ShownColour behind{255, 255, 255}, ink{30, 34, 40};
   const int letters = std::max(10, image.height / 36), gap = std::max(2, letters / 3),
             bar = std::min(std::max(160, image.width / 3), image.width - 6 * gap), tall = std::max(6, letters * 2 / 3);
   const Lettering lettering(regular_font(), letters);
   const int left = 2 * gap, bottom = image.height - 2 * gap, top = bottom - 2 * letters - tall - 4 * gap;
-  fill(image, left - gap, top, left + bar + gap, bottom, paper);
+  fill(image, left - gap, top, left + bar + gap, bottom, behind);
   lettering.draw(image, title, left, top + gap, ink);
   const int bar_top = top + 2 * gap + letters;
   const std::vector<ShownColour> colours = bar_of(bar);

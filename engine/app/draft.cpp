@@ -51,8 +51,9 @@ std::optional<LoadedModel> draft_of(const ContourStack& stack, const std::string
   const std::size_t step = (stack.slices.size() + most_slices - 1) / most_slices;
   try {
     const Progress quiet{{}, progress.stop};
-    const Reconstruction made = reconstruct(
-        thinned(stack, step), {.correspondence = Correspondence::overlap, .between = Between::delaunay}, quiet);
+    const Reconstruction made =
+        reconstruct(thinned(stack, step),
+                    {.correspondence = Correspondence::overlap, .between = Between::delaunay, .links = {}}, quiet);
     std::vector<NamedSurface> surfaces;
     for (const Solid& solid : made.solids)
       odontoscope::add_shells(solid.structure, solid.surface, solid.report, surfaces);

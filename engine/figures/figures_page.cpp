@@ -14,13 +14,13 @@ std::string section(const Figure& figure) {
                   figure.number, escaped_html(figure.title), escaped_html(figure.caption));
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     const std::string caption = escaped_html(figure.panels[i].caption);
-    const PixelSize size = panel_size(figure, 1000);
+    const PixelSize pixels = panel_size(figure, 1000);
     const std::string letter =
         figure.panels.size() > 1 ? fmt::format("({}) ", static_cast<char>('a' + i)) : std::string();
     html += fmt::format(
         "<figure><img src=\"{}\" alt=\"{}\" width=\"{}\" height=\"{}\" "
         "loading=\"lazy\"><figcaption>{}{}</figcaption></figure>\n",
-        picture_name(figure, i), caption, size.width, size.height, letter, caption);
+        picture_name(figure, i), caption, pixels.width, pixels.height, letter, caption);
   }
   return html + "</div></section>\n";
 }

@@ -20,10 +20,10 @@ namespace {
 
 constexpr Colour page_colour = colour_of(assets::theme::report::paper);
 
-Panel fitted(std::string caption, Subject subject, double aspect, const auto& camera_for) {
+Panel fitted(std::string caption, Subject subject, double shape, const auto& camera_for) {
   Panel made{std::move(caption), std::move(subject.surfaces), std::move(subject.strokes), subject.crease_deg, {}};
   const Model model = make_model(made.surfaces, made.crease_deg);
-  made.scene = usual_scene(model, aspect);
+  made.scene = usual_scene(model, shape);
   made.scene.camera = camera_for(model);
   made.scene.background = {Background::Kind::plain, page_colour, page_colour};
   set_opacity(made, 1);

@@ -133,12 +133,12 @@ struct Furcation {
   std::vector<NamedSurface> dt, db, decimated;
 };
 
-Furcation furcation_models(std::size_t grid) {
+Furcation furcation_models(std::size_t columns) {
   Furcation made;
   made.dt = dt_surfaces(made.contours);
-  made.db = db_surfaces(made.contours, grid);
+  made.db = db_surfaces(made.contours, columns);
   DbOptions fewer;
-  fewer.grid.columns = fewer.grid.rows = grid;
+  fewer.grid.columns = fewer.grid.rows = columns;
   fewer.cases = CaseTable::consistent;
   fewer.decimation = DecimateOptions{};
   for (DbSurface& one : reconstruct_by_distance(made.contours, fewer).surfaces)
@@ -259,21 +259,21 @@ Camera in_the_chamber(const ToothModels& tooth, const ToothModel& model) {
 }
 
 /// A ring around the place where the next pictures are taken from, and the way that they look.
-Strokes eye_mark(const Camera& camera, double size) {
+Strokes eye_mark(const Camera& camera, double length) {
   Strokes mark{LineKind::measure, {}};
   const auto add = [&](const glm::dvec3& from, const glm::dvec3& to) {
     mark.ends.push_back({from.x, from.y, from.z});
     mark.ends.push_back({to.x, to.y, to.z});
   };
   const glm::dvec3 &at = camera.position, ahead = glm::normalize(camera.target - at);
-  const glm::dvec3 tip = at + 2.4 * size * ahead, aside = glm::normalize(glm::cross(ahead, glm::dvec3(0, 1, 0)));
+  const glm::dvec3 tip = at + 2.4 * length * ahead, aside = glm::normalize(glm::cross(ahead, glm::dvec3(0, 1, 0)));
   add(at, tip);
-  add(tip, tip - 0.8 * size * ahead + 0.6 * size * aside);
-  add(tip, tip - 0.8 * size * ahead - 0.6 * size * aside);
+  add(tip, tip - 0.8 * length * ahead + 0.6 * length * aside);
+  add(tip, tip - 0.8 * length * ahead - 0.6 * length * aside);
   constexpr int sides = 24;
   const auto on_ring = [&](int i) {
     const double angle = glm::radians(360.0 * i / sides);
-    return at + 0.5 * size * glm::dvec3(std::cos(angle), 0, std::sin(angle));
+    return at + 0.5 * length * glm::dvec3(std::cos(angle), 0, std::sin(angle));
   };
   for (int i = 0; i < sides; ++i) add(on_ring(i), on_ring(i + 1));
   return mark;

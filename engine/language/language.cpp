@@ -109,16 +109,16 @@ std::string Language::localised(std::string formatted) const {
   return made;
 }
 
-std::string Language::named(const std::string& name) const {
+std::string Language::named(const std::string& english) const {
   constexpr std::string_view cavity = " cavity";
-  if (const auto known = texts.find(name); known != texts.end()) return known->second;
-  const std::size_t space = name.rfind(' ');
-  if (space != name.npos && is_number(std::string_view(name).substr(space + 1)))
-    if (const auto known = texts.find(std::string_view(name).substr(0, space)); known != texts.end())
-      return known->second + name.substr(space);
-  if (name.size() > cavity.size() && name.ends_with(cavity))
-    return named(name.substr(0, name.size() - cavity.size())) + ": " + of("cavity");
-  return name;
+  if (const auto known = texts.find(english); known != texts.end()) return known->second;
+  const std::size_t space = english.rfind(' ');
+  if (space != english.npos && is_number(std::string_view(english).substr(space + 1)))
+    if (const auto known = texts.find(std::string_view(english).substr(0, space)); known != texts.end())
+      return known->second + english.substr(space);
+  if (english.size() > cavity.size() && english.ends_with(cavity))
+    return named(english.substr(0, english.size() - cavity.size())) + ": " + of("cavity");
+  return english;
 }
 
 std::string Language::said(const std::string& words) const {
@@ -135,7 +135,7 @@ std::string Language::said(const std::string& words) const {
     }
   }
   if (!form.empty()) {
-    for (auto& [name, value] : best.second) value = said(value);
+    for (auto& [key, value] : best.second) value = said(value);
     return filled(best.first, best.second);
   }
   if (words.size() > 1 && words.ends_with('.')) {

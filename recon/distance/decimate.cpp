@@ -25,18 +25,18 @@ std::vector<FloatPoint> relative_points(const SurfaceMesh& surface) {
   return points;
 }
 
-SurfaceMesh used_part(const SurfaceMesh& surface, const std::vector<unsigned>& corners) {
+SurfaceMesh used_part(const SurfaceMesh& surface, const std::vector<unsigned>& of_triangles) {
   constexpr PointIndex unused = std::numeric_limits<PointIndex>::max();
   std::vector<PointIndex> number(surface.points.size(), unused);
-  for (const unsigned corner : corners) number[corner] = 0;
+  for (const unsigned corner : of_triangles) number[corner] = 0;
   SurfaceMesh used;
   for (std::size_t v = 0; v < number.size(); ++v) {  // points keep their order
     if (number[v] == unused) continue;
     number[v] = static_cast<PointIndex>(used.points.size());
     used.points.push_back(surface.points[v]);
   }
-  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
-    used.triangles.push_back({number[corners[i]], number[corners[i + 1]], number[corners[i + 2]]});
+  for (std::size_t i = 0; i + 2 < of_triangles.size(); i += 3) {
+    used.triangles.push_back({number[of_triangles[i]], number[of_triangles[i + 1]], number[of_triangles[i + 2]]});
   }
   return used;
 }

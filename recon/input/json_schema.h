@@ -228,7 +228,7 @@ JsonField JsonSchema::word(std::string_view key, Where&& where, const NameTable<
                  if (const auto meant = value_of(table, value))
                    get() = *meant;
                  else
-                   fault("bad-value", "\"" + std::string(key) + "\" is none of " + words_of(table),
+                   fault("bad-value", std::string("\"").append(key) + "\" is none of " + words_of(table),
                          "Write one of these words.");
                }});
 }

@@ -56,16 +56,16 @@ std::string angle_chart(const ComparedMethod& method, const std::string& colour)
     all += count;
     most = std::max(most, count);
   }
-  constexpr double width = 320, height = 150, base = 120;
+  constexpr double chart_width = 320, chart_height = 150, base = 120;
   std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"smallest angles of {}\">\n",
-                                width, height, escaped_html(method.name));
-  const double bar = width / static_cast<double>(std::max<std::size_t>(angles.histogram.size(), 1));
+                                chart_width, chart_height, escaped_html(method.name));
+  const double bar = chart_width / static_cast<double>(std::max<std::size_t>(angles.histogram.size(), 1));
   for (std::size_t i = 0; i < angles.histogram.size(); ++i) {
     const double tall = (base - 20) * static_cast<double>(angles.histogram[i]) / static_cast<double>(most);
     const double percent = all > 0 ? 100.0 * static_cast<double>(angles.histogram[i]) / static_cast<double>(all) : 0;
     const double x = bar * static_cast<double>(i);
-    svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\"/>", x + 2,
-                       base - tall, bar - 4, tall, colour);
+    svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" chart_width=\"{:.1f}\" chart_height=\"{:.1f}\" fill=\"{}\"/>",
+                       x + 2, base - tall, bar - 4, tall, colour);
     svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"10\" text-anchor=\"middle\">{:.0f}%</text>",
                        x + bar / 2, base - tall - 4, percent);
     const double from = angles.histogram_low + (angles.histogram_high - angles.histogram_low) * static_cast<double>(i) /
@@ -76,7 +76,7 @@ std::string angle_chart(const ComparedMethod& method, const std::string& colour)
   return svg + fmt::format(
                    "<text x=\"{}\" y=\"{}\" font-size=\"11\" text-anchor=\"middle\">smallest angle of a triangle, "
                    "degrees</text></svg>\n",
-                   width / 2, height - 3);
+                   chart_width / 2, chart_height - 3);
 }
 
 std::string charts(const Comparison& comparison) {

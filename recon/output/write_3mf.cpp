@@ -38,9 +38,9 @@ std::string hex_colour(const std::string& structure) {
   return hex;
 }
 
-void append_vertices(std::string& xml, const SurfaceMesh& surface) {
+void append_vertices(std::string& xml, const SurfaceMesh& mesh) {
   constexpr const char* before[] = {"<vertex x=\"", "\" y=\"", "\" z=\""};
-  for (const Point3& p : surface.points) {
+  for (const Point3& p : mesh.points) {
     const std::array<double, 3> coordinates{p.x, p.y, p.z};
     for (std::size_t k = 0; k < 3; ++k) {
       xml += before[k];

@@ -53,17 +53,17 @@ struct IndexedPart {
   std::vector<Triangle> triangles;
 };
 
-IndexedPart part_of(const SurfaceMesh& surface, const ShellGroup& group) {
+IndexedPart part_of(const SurfaceMesh& mesh, const ShellGroup& group) {
   constexpr PointIndex unused = std::numeric_limits<PointIndex>::max();
-  std::vector<PointIndex> number(surface.points.size(), unused);
+  std::vector<PointIndex> number(mesh.points.size(), unused);
   IndexedPart part;
   for (const std::uint32_t t : group.triangles) {
     Triangle renumbered{};
     for (std::size_t k = 0; k < 3; ++k) {
-      PointIndex& own = number[surface.triangles[t][k]];
+      PointIndex& own = number[mesh.triangles[t][k]];
       if (own == unused) {
         own = static_cast<PointIndex>(part.points.size());
-        part.points.push_back(surface.triangles[t][k]);
+        part.points.push_back(mesh.triangles[t][k]);
       }
       renumbered[k] = own;
     }
@@ -72,9 +72,9 @@ IndexedPart part_of(const SurfaceMesh& surface, const ShellGroup& group) {
   return part;
 }
 
-void append_points(std::string& text, const SurfaceMesh& surface, const IndexedPart& part) {
+void append_points(std::string& text, const SurfaceMesh& mesh, const IndexedPart& part) {
   for (const PointIndex v : part.points) {
-    const Point3& p = surface.points[v];
+    const Point3& p = mesh.points[v];
     append_point(text, p);
     text += ",\n";
   }

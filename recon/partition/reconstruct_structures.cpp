@@ -17,7 +17,10 @@ MadeOfStructures reconstruct_structures(const ValidStack& stack, const Reconstru
   std::string no_partition;
   if (structures_meet(stack)) {
     try {
-      return {reconstruct_partition(stack, {.between = options.between, .threads = options.threads}, progress), {}};
+      PartitionOptions together;
+      together.between = options.between;
+      together.threads = options.threads;
+      return {reconstruct_partition(stack, together, progress), {}};
     } catch (const InternalError& error) {
       no_partition = error.what();
     } catch (const InputError& error) {

@@ -55,8 +55,6 @@ std::size_t binary_width(const DicomElement& element) {
     case dicom::lower_record:
     case dicom::temporal_index:
       return 4;
-    case dicom::slice_location_vector:
-      return 0;
     default:
       return 0;
   }
@@ -89,8 +87,8 @@ std::vector<double> DicomDataSet::numbers(std::uint32_t tag) const {
   std::vector<double> numbers;
   if (found == nullptr) return numbers;
   if (const std::size_t width = binary_width(*found); width > 0) {
-    for (std::size_t at = 0; at + width <= found->value.size(); at += width) {
-      numbers.push_back(binary_number(*found, std::string_view(found->value).substr(at, width)));
+    for (std::size_t from = 0; from + width <= found->value.size(); from += width) {
+      numbers.push_back(binary_number(*found, std::string_view(found->value).substr(from, width)));
       if (!std::isfinite(numbers.back())) return {};
     }
     return numbers;

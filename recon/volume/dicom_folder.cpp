@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string key_of(const DicomFile& file) {
-  const std::string uid = file.data.text(dicom::series_uid);
+  std::string uid = file.data.text(dicom::series_uid);
   if (file.data.number(dicom::frames).value_or(1) <= 1 && !is_dicom_segmentation(file)) return uid;
   const std::string whole = file.data.text(dicom::concatenation_uid);
   return uid + "\n" + (whole.empty() ? file.data.text(dicom::instance_uid) + file.path : whole);

@@ -48,7 +48,9 @@ TEST(Corpus, IsCertifiedFromEverySide) {
     SCOPED_TRACE(file + ": " + line.value("why", ""));
     const ContourStack stack = read_stack_file((folder / file).string());
     ReconstructOptions options = options_of(line);
-    if (!line.contains("refused")) EXPECT_EQ(outcome_of(stack, options).failure, "") << "blended";
+    if (!line.contains("refused")) {
+      EXPECT_EQ(outcome_of(stack, options).failure, "") << "blended";
+    }
     options.between = Between::delaunay;  // a raster between slices does not turn with them
     if (line.contains("refused")) {
       try {
