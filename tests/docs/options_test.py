@@ -13,7 +13,7 @@ PROGRAM = os.environ.get("ODONTOSCOPE_PROGRAM", str(SOURCE / "build/release/engi
 OF_OTHERS = {
     "cmake and ctest": {"--build", "--install", "--prefix", "--preset", "--target", "--test"},
     "GoogleTest": {"--gtest"},
-    "./test and tests/": {"--quick", "--large", "--xr", "--every-spacing", "--failing", "--labels", "--seed", "--seeds", "--tables", "--state"},
+    "./test and tests/": {"--changed", "--quick", "--large", "--xr", "--every-spacing", "--failing", "--labels", "--seed", "--seeds", "--tables", "--state"},
     "Python's venv": {"--system-site-packages"},
     "GNU parallel": {"--joblog"},
     "Chromium": {"--enable-unsafe-swiftshader", "--headless", "--no-pdf-header-footer", "--print-to-pdf", "--use-angle", "--virtual-time-budget"},
