@@ -59,7 +59,8 @@ TEST_F(VolumeLooks, ColourSurfacesByTheCt) {
     for (const Image& other : seen) EXPECT_NE(image(), other) << words;
     seen.push_back(image());
   }
-  EXPECT_TRUE(shown({"--iso", "500", "--colour-by", "hue"}).complains("there is no colouring of surfaces called \"hue\""));
+  EXPECT_TRUE(
+      shown({"--iso", "500", "--colour-by", "hue"}).complains("there is no colouring of surfaces called \"hue\""));
   EXPECT_TRUE(shown({"--iso", "500", "--colour-by", "distance=-1"}).complains("no number above 0"));
   EXPECT_TRUE(shown({"--show", "volume", "--colour-by", "distance"})
                   .complains("there is no value of a CT at which the surface was taken"));
