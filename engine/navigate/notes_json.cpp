@@ -62,7 +62,7 @@ class LessonSchema {
       where() = {xyz[0], xyz[1], xyz[2]};
     });
   }
-  JsonField tag(std::function<std::string&()> where) {
+  JsonField tag(const std::function<std::string&()>& where) {
     return schema_.field(
         "language", JsonNode::Shape::text, {.text = [this, where](const std::string& value) {
           const auto fits = [](char c) { return c == '-' || std::isalnum(static_cast<unsigned char>(c)); };

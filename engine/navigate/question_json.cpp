@@ -40,7 +40,7 @@ void check_lesson_text(const JsonSchema& schema, const std::string& text) {
                   "Shorten it, or make two notes of it.");
 }
 
-JsonField lesson_title(JsonSchema& schema, std::string_view key, std::function<std::string&()> where,
+JsonField lesson_title(JsonSchema& schema, std::string_view key, const std::function<std::string&()>& where,
                        std::size_t most) {
   return schema.field(key, JsonNode::Shape::text, {.text = [&schema, where, most](const std::string& value) {
                         check_title(schema, value, most);
@@ -48,7 +48,7 @@ JsonField lesson_title(JsonSchema& schema, std::string_view key, std::function<s
                       }});
 }
 
-JsonField lesson_text(JsonSchema& schema, std::string_view key, std::function<std::string&()> where) {
+JsonField lesson_text(JsonSchema& schema, std::string_view key, const std::function<std::string&()>& where) {
   return schema.field(key, JsonNode::Shape::text, {.text = [&schema, where](const std::string& value) {
                         check_lesson_text(schema, value);
                         where() = value;

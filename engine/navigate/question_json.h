@@ -13,10 +13,10 @@
 namespace odontoscope {
 
 /// A text of one line; bad-title for one that is too long or has control characters. `where` as in json_schema.h.
-JsonField lesson_title(JsonSchema& schema, std::string_view key, std::function<std::string&()> where,
+JsonField lesson_title(JsonSchema& schema, std::string_view key, const std::function<std::string&()>& where,
                        std::size_t most = most_title_bytes);
 /// A text of several lines; else bad-text.
-JsonField lesson_text(JsonSchema& schema, std::string_view key, std::function<std::string&()> where);
+JsonField lesson_text(JsonSchema& schema, std::string_view key, const std::function<std::string&()>& where);
 /// Refuses what is no such text.
 void check_lesson_text(const JsonSchema& schema, const std::string& text);
 

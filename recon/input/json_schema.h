@@ -203,6 +203,7 @@ JsonField JsonSchema::object(std::string_view key, std::optional<Value>& value, 
 
 template <class Where>
 JsonField JsonSchema::list(std::string_view key, std::string_view one, Where&& where, JsonLength length,
+                           // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved on
                            const Fields& fields, std::function<void()> closed) {
   return list(key, one, length, fields,
               {.opened = [get = place_of(where)] { get().emplace_back(); }, .closed = std::move(closed)});

@@ -64,6 +64,7 @@ class ToothSchema {
   }
   template <class Where>
   JsonField profile(std::string_view key, Where&& where) {
+    // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved on
     return profile_of(key, [get = JsonSchema::place_of(where)](Profile read) { get() = std::move(read); });
   }
   JsonField profile_of(std::string_view key, std::function<void(Profile)> take);

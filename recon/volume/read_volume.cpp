@@ -78,11 +78,11 @@ Volume read_volume(const std::string& path, const ReadVolumeOptions& options, co
   progress.check();
   progress.tell("read", 0);
   Volume volume;
-  if (fs::is_directory(path)) {
-    volume = read_dicom_volume(path, options, progress);
-  } else if (const std::optional<VolumeFormat> format = volume_format(path)) {
+  const bool is_folder = fs::is_directory(path);
+  const std::optional<VolumeFormat> format = is_folder ? std::nullopt : volume_format(path);
+  if (format) {
     volume = read_file_volume(*format, path, options, progress);
-  } else if (looks_like_dicom(path)) {
+  } else if (is_folder || looks_like_dicom(path)) {
     volume = read_dicom_volume(path, options, progress);
   } else {
     std::error_code error;
