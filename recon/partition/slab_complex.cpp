@@ -169,28 +169,12 @@ void SlabComplex::build() {
   collect_stars();
 }
 
-/// As add_prism (recon/delaunay/prism.h) cuts it, without what has no height.
 template <class Number>
 void SlabComplex::thicken(const PartitionSlice& slice, Number number, Thickened direction) {
   for (const delaunay::TriangleIndex t : slice.planar.triangles.indices()) {
-    const auto& corners_in_slice = slice.planar.triangles[t].v;
-    const std::array<SlabPoint, 3> given{number(corners_in_slice[0]), number(corners_in_slice[1]),
-                                         number(corners_in_slice[2])};
-    if (!raised_[given[0]] && !raised_[given[1]] && !raised_[given[2]]) continue;
-    std::array<SlabPoint, 3> v = given;
-    std::sort(v.begin(), v.end());
-    const int fixed = (v[0] == given[0]) + (v[1] == given[1]) + (v[2] == given[2]);
-    const bool even = fixed != 1;  // one corner in place: the other two were swapped
-    const std::array<SlabPoint, 3> to{top(v[0]), top(v[1]), top(v[2])};
-    const std::array<std::pair<Corners, bool>, 3> parts{{{{v[0], v[1], v[2], to[2]}, to[2] != v[2]},
-                                                         {{v[0], v[1], to[2], to[1]}, to[1] != v[1]},
-                                                         {{v[0], to[1], to[2], to[0]}, to[0] != v[0]}}};
-    for (auto [corners, there] : parts) {
-      if (!there) continue;
-      if (even != (direction == Thickened::upwards)) std::swap(corners[0], corners[1]);
-      cells_.push_back(corners);
-      thick_labels_.push_back(slice.label(t));
-    }
+    delaunay::add_prism(
+        slice.planar.triangles[t], number, [&](SlicePoint p) { return top(number(p)); }, direction, cells_);
+    thick_labels_.resize(cells_.size() - tets_.size(), slice.label(t));
   }
 }
 
