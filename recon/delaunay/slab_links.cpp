@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "recon/core/limits.h"
 #include "recon/core/portable_math.h"
@@ -55,22 +54,18 @@ Costs costs_of(const SlabTetrahedra& tetrahedra, const Planar& lower, const Plan
 Links::Links(const SlabTetrahedra& tetrahedra, std::size_t points, const Fates& fate)
     : tets_(tetrahedra),
       fate_(fate),
-      first_(points + 1, 0),
-      star_(4 * tetrahedra.size()),
+      star_(points,
+            [this](const auto& add) {
+              for (const TetIndex t : tets_.indices())
+                for (const SlabPoint v : tets_[t].v) add(v, t);
+            }),
       seen_vertex_(points, 0),
-      seen_tet_(tetrahedra.size(), 0) {
-  for (const SlabTetrahedron& tet : tets_)
-    for (const SlabPoint v : tet.v) ++first_[SlabPoint(v + 1)];
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  Table<SlabPoint, std::uint32_t> fill(first_.begin(), first_.end() - 1);
-  for (const TetIndex t : tets_.indices())
-    for (const SlabPoint v : tets_[t].v) star_[fill[v]++] = t;
-}
+      seen_tet_(tetrahedra.size(), 0) {}
 
 std::vector<Links::MixedEdge> Links::mixed_edges(SlabPoint v) {
   std::vector<MixedEdge> edges;
   ++vertex_epoch_;
-  for (const TetIndex t : star(v)) {
+  for (const TetIndex t : star_[v]) {
     if (!in(t)) continue;
     const SlabTetrahedron& tet = tets_[t];
     for (int i = 0; i < 4; ++i) {
@@ -132,7 +127,7 @@ void Links::flood(SlabPoint v, TetList& seeds, Part part) {
 std::vector<TetList> Links::fans(SlabPoint v) {
   ++tet_epoch_;
   std::vector<TetList> found;
-  for (const TetIndex t : star(v)) {
+  for (const TetIndex t : star_[v]) {
     if (!in(t) || seen_tet_[t] == tet_epoch_) continue;
     found.push_back({t});
     flood(v, found.back(), Part::kept);
@@ -143,7 +138,7 @@ std::vector<TetList> Links::fans(SlabPoint v) {
 TetList Links::shut_in(SlabPoint v) {
   ++tet_epoch_;
   TetList at_border, enclosed;
-  for (const TetIndex t : star(v)) {
+  for (const TetIndex t : star_[v]) {
     const SlabTetrahedron& tet = tets_[t];
     if (in(t)) continue;
     for (int i = 0; i < 4; ++i)
@@ -153,7 +148,7 @@ TetList Links::shut_in(SlabPoint v) {
       }
   }
   flood(v, at_border, Part::removed);
-  for (const TetIndex t : star(v))
+  for (const TetIndex t : star_[v])
     if (!in(t) && seen_tet_[t] != tet_epoch_) enclosed.push_back(t);
   return enclosed;
 }

@@ -4,9 +4,9 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
+#include "recon/core/index_groups.h"
 #include "recon/delaunay/carve.h"
 #include "recon/delaunay/shortest_path.h"
 
@@ -49,14 +49,10 @@ class Links {
  private:
   enum class Part { kept, removed };
   void flood(SlabPoint v, TetList& seeds, Part part);
-  std::span<const TetIndex> star(SlabPoint v) const {
-    return {star_.begin() + first_[v], star_.begin() + first_[SlabPoint(v + 1)]};
-  }
 
   const SlabTetrahedra& tets_;
   const Fates& fate_;
-  Table<SlabPoint, std::uint32_t> first_;  // tetrahedra at v: star_[first_[v]] to star_[first_[v+1]]
-  TetList star_;
+  IndexGroups<SlabPoint, TetIndex> star_;  // of each point: the tetrahedra that have it
   Table<SlabPoint, std::uint32_t> seen_vertex_;
   Table<TetIndex, std::uint32_t> seen_tet_;
   std::uint32_t vertex_epoch_ = 0, tet_epoch_ = 0;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 #include "recon/delaunay/predicates.h"
 #include "recon/partition/limits.h"
@@ -45,14 +44,10 @@ SlabComplex::SlabComplex(const PartitionSlice& lower, const PartitionSlice& uppe
       shares_(on_slices_, 0),
       times_lowered_(on_slices_, 0),
       changed_(2 * std::size_t{on_slices_}, true) {
-  first_at_.assign(on_slices_ + 1, 0);
-  for (const SlabTetrahedron& tet : tets_)
-    for (const SlabPoint v : tet.v) ++first_at_[SlabPoint(v + 1)];
-  std::partial_sum(first_at_.begin(), first_at_.end(), first_at_.begin());
-  at_.resize(first_at_.back());
-  Table<SlabPoint, std::uint32_t> fill(first_at_.begin(), first_at_.end() - 1);
-  for (const TetIndex t : tets_.indices())
-    for (const SlabPoint v : tets_[t].v) at_[fill[v]++] = t;
+  at_ = {on_slices_, [this](const auto& add) {
+           for (const TetIndex t : tets_.indices())
+             for (const SlabPoint v : tets_[t].v) add(v, t);
+         }};
 }
 
 Point3 SlabComplex::place(SlabPoint v) const {
@@ -179,15 +174,10 @@ void SlabComplex::thicken(const PartitionSlice& slice, Number number, Thickened 
 }
 
 void SlabComplex::collect_stars() {
-  const std::size_t points = 2 * std::size_t{on_slices_};
-  first_.assign(points + 1, 0);
-  for (const Corners& cell : cells_)
-    for (const SlabPoint v : cell) ++first_[SlabPoint(v + 1)];
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  star_.resize(first_.back());
-  Table<SlabPoint, std::uint32_t> fill(first_.begin(), first_.end() - 1);
-  for (const CellIndex c : cells_.indices())
-    for (const SlabPoint v : cells_[c]) star_[fill[v]++] = c;
+  star_ = {2 * std::size_t{on_slices_}, [this](const auto& add) {
+             for (const CellIndex c : cells_.indices())
+               for (const SlabPoint v : cells_[c]) add(v, c);
+           }};
 }
 
 std::vector<LinkTriangle> SlabComplex::link(SlabPoint v) const {

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "recon/core/index_groups.h"
 #include "recon/delaunay/prism.h"
 #include "recon/delaunay/slab.h"
 #include "recon/partition/planar_partition.h"
@@ -64,14 +65,10 @@ class SlabComplex {
   Label cell_label(CellIndex cell) const {
     return is_tetrahedron(cell) ? labels_[tetrahedron(cell)] : thick_labels_[cell - tets_.size()];
   }
-  std::span<const CellIndex> star(SlabPoint v) const {
-    return {star_.begin() + first_[v], star_.begin() + first_[SlabPoint(v + 1)]};
-  }
+  std::span<const CellIndex> star(SlabPoint v) const { return star_[v]; }
   std::vector<LinkTriangle> link(SlabPoint v) const;
   /// Of the tetrahedra that have the point, raised or not.
-  std::span<const TetIndex> tetrahedra_at(SlabPoint p) const {
-    return {at_.begin() + first_at_[p], at_.begin() + first_at_[SlabPoint(p + 1)]};
-  }
+  std::span<const TetIndex> tetrahedra_at(SlabPoint p) const { return at_[p]; }
 
   /// Points whose star has changed since they were last taken, ascending.
   std::vector<SlabPoint> take_changed();
@@ -100,8 +97,7 @@ class SlabComplex {
   const delaunay::SlabNumbers numbers_;
   const std::uint32_t on_slices_;
   const double raised_lower_, raised_upper_;
-  Table<SlabPoint, std::uint32_t> first_at_;
-  std::vector<TetIndex> at_;
+  IndexGroups<SlabPoint, TetIndex> at_;
   Table<TetIndex, Label> labels_;
   Table<SlabPoint, bool> raised_;
   Table<SlabPoint, double> shares_;               // 0: as usual
@@ -110,8 +106,7 @@ class SlabComplex {
   std::vector<SlabPoint> fresh_;  // raised since keep_positive was called
   Table<CellIndex, Corners> cells_;
   std::vector<Label> thick_labels_;
-  Table<SlabPoint, std::uint32_t> first_;
-  std::vector<CellIndex> star_;
+  IndexGroups<SlabPoint, CellIndex> star_;
   Table<SlabPoint, bool> changed_;
 };
 
